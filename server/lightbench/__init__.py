@@ -1,0 +1,40 @@
+"""Lightbench: a bench for light. The picture, what it costs, and how far it is from the truth."""
+
+from collections.abc import Mapping
+
+from lightbench import glsl
+from lightbench.errors import LightbenchError
+from lightbench.image import Image
+from lightbench.library import read_library
+from lightbench.paths import scenes_folder, shaders_folder
+from lightbench.plan import plan
+from lightbench.render import on_gl_thread, renderer
+from lightbench.scene import Scene, read_scene
+from lightbench.settings import Setting
+
+__all__ = ["Image", "LightbenchError", "Scene", "glsl", "load", "render"]
+
+
+def load(name_or_path: str) -> Scene:
+    """A preset by its name (`box-room`), or a scene from the path of a `.json` file.
+
+    Raises NotFoundError or SceneError.
+    """
+    return read_scene(name_or_path, scenes_folder())
+
+
+def render(scene: Scene | str, size: tuple[int, int] = (640, 480), **settings: Setting) -> Image:
+    """Render a scene, or the one of that name, at `size` (width, height) pixels.
+
+    Settings are those of `lightbench options`, and the scene's own by their path, as in
+    `render(scene, **{"lights.key.intensity": 3.0})`. Raises LightbenchError.
+    """
+    if isinstance(scene, str):
+        scene = load(scene)
+    return render_plan(scene, size, settings)
+
+
+def render_plan(scene: Scene, size: tuple[int, int], settings: Mapping[str, Setting]) -> Image:
+    """Plan and run on the GL thread."""
+    planned = plan(read_library(shaders_folder()), scene, settings, size)
+    return on_gl_thread(lambda: renderer().run(planned))

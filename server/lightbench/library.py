@@ -1,0 +1,307 @@
+"""The shader folder read as a menu: front matter, code and contracts of every file.
+
+`Library` is the manifest: what Python plans with, and, as JSON, what the browser plans with.
+"""
+
+import json
+import re
+import tomllib
+from functools import cache
+from pathlib import Path
+from typing import Annotated, Literal, Self, TypeVar
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from lightbench.errors import LightbenchError, ShaderError
+from lightbench.expression import Value, evaluate
+from lightbench.shapes import ICOSPHERE_ERRORS
+
+__all__ = ["Choice", "Folder", "Library", "Parameter", "Pass", "ShaderFile", "read_library"]
+
+Range = tuple[float, float]
+Kind = Literal["float", "int", "bool", "color"]
+GLSL_TYPES = {"float": "float", "color": "vec3"}
+# The fields that `struct Material` may have, in its order. The scene's materials supply them.
+MATERIAL_FIELDS = {
+    "base_color": "vec3",
+    "metalness": "float",
+    "roughness": "float",
+    "f0": "vec3",
+    "kd": "vec3",
+    "ks": "vec3",
+    "shininess": "float",
+}
+Matter = TypeVar("Matter", bound=BaseModel)
+_FRONT_MATTER = re.compile(r"\s*/\*---[ \t]*\n(.*?)---\*/", re.DOTALL)
+_COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
+_FUNCTION = re.compile(r"^[ \t]*(\w+)\s+(\w+)\s*\(([^()]*)\)\s*\{", re.MULTILINE)
+_TOML_LINE = re.compile(r"at line (\d+)")
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
+
+
+class Parameter(_Strict):
+    """A value that a file's front matter offers: a slider, an option, a uniform or a define."""
+
+    kind: Kind = "float"
+    default: float | int | bool | str | tuple[float, float, float]
+    range: Range | None = None
+    step: Annotated[float, Field(gt=0)] | None = None
+    unit: str = ""
+    label: str = ""
+    scale: Literal["linear", "log"] = "linear"
+    per: Literal["frame", "light"] = "frame"
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        number = isinstance(self.default, int | float) and not isinstance(self.default, bool)
+        fits = {
+            "float": number,
+            "int": isinstance(self.default, int) and number,
+            "bool": isinstance(self.default, bool),
+            "color": isinstance(self.default, str | tuple),
+        }
+        if not fits[self.kind]:
+            raise ValueError(f"default {self.default!r} is no {self.kind}")
+        if self.kind in ("float", "int") and self.range is None:
+            raise ValueError("a number needs its range = [lowest, highest]")
+        if self.range and not self.range[0] <= float(str(self.default)) <= self.range[1]:
+            raise ValueError(f"default {self.default} lies outside the range {list(self.range)}")
+        if self.per == "light" and self.kind != "float":
+            raise ValueError("a parameter per light is a float")
+        return self
+
+
+class Choice(_Strict):
+    """Front matter of a choice or of a lib file."""
+
+    title: str = ""
+    equation: str = ""
+    source: str = ""
+    domain: dict[str, Range] = {}
+    unit: str = ""
+    about: str = ""
+    breaks: dict[str, str] = {}
+    material: tuple[str, ...] = ()
+    reads: tuple[str, ...] = ()
+    parameters: dict[str, Parameter] = {}
+
+    @model_validator(mode="after")
+    def _known_fields(self) -> Self:
+        if unknown := set(self.material) - set(MATERIAL_FIELDS):
+            known = ", ".join(MATERIAL_FIELDS)
+            raise ValueError(f"material: no field '{min(unknown)}'; fields are: {known}")
+        return self
+
+
+class Target(_Strict):
+    """What a pass writes: a texture of the output's size times `scale` (an expression)."""
+
+    format: Literal["rgba32f", "rgba16f", "rgba8"]
+    scale: str = "1"
+    depth: bool = False
+
+
+class Pass(Choice):
+    """Front matter of a render pass."""
+
+    draw: Literal["screen", "objects"]
+    writes: dict[str, Target]
+    when: str = "1"
+
+    @model_validator(mode="after")
+    def _one_target(self) -> Self:
+        if len(self.writes) != 1:
+            raise ValueError("writes: a pass writes one target")
+        return self
+
+
+class ShaderFile(_Strict):
+    """One file of `shaders/`: `code` is free of comments and keeps the file's line numbers."""
+
+    meta: Pass | Choice
+    code: str
+    functions: dict[str, int]
+
+
+class Folder(_Strict):
+    """`_choice.toml`: what every file of a choice folder promises."""
+
+    setting: str
+    title: str
+    function: str
+    optional: tuple[str, ...] = ()
+    default: str
+    about: str = ""
+
+
+class Library(_Strict):
+    """All of `shaders/`, validated. Keys of `files` are paths such as `models/phong.glsl`."""
+
+    folders: dict[str, Folder]
+    files: dict[str, ShaderFile]
+    material_fields: dict[str, str] = MATERIAL_FIELDS
+    icosphere_errors: tuple[float, ...] = ICOSPHERE_ERRORS
+
+    def choices(self, folder: str) -> list[str]:
+        """Names of a folder's files, sorted."""
+        return sorted(Path(p).stem for p in self.files if Path(p).parent.as_posix() == folder)
+
+    def folder_of(self, setting: str) -> str:
+        """The folder that a choice setting picks from."""
+        return next(name for name, folder in self.folders.items() if folder.setting == setting)
+
+    def passes(self) -> dict[str, Pass]:
+        """Front matter of every pass by its name, sorted."""
+        return {
+            Path(path).stem: file.meta
+            for path, file in sorted(self.files.items())
+            if isinstance(file.meta, Pass)
+        }
+
+
+def read_library(root: Path) -> Library:
+    """Read and validate a shader folder.
+
+    Raises ShaderError naming file and line for front matter or code that breaks its contract.
+    """
+    root = root.resolve()
+    if not root.is_dir():
+        raise ShaderError(f"{root}: no such folder of shaders")
+    stamp = tuple((str(p), p.stat().st_mtime_ns) for p in sorted(root.rglob("*.*")) if p.is_file())
+    return _read_library(root, stamp)
+
+
+@cache
+def _read_library(root: Path, _stamp: tuple[tuple[str, int], ...]) -> Library:
+    folders = {p.parent.name: _read_folder(root, p) for p in sorted(root.glob("*/_choice.toml"))}
+    paths = sorted(root.rglob("*.glsl"))
+    files = {p.relative_to(root).as_posix(): _read_file(root, p, folders) for p in paths}
+    library = Library(folders=folders, files=files)
+    _check_defaults(library)
+    _check_parameters(library)
+    return library
+
+
+def _check_defaults(library: Library) -> None:
+    for name, folder in library.folders.items():
+        if folder.default not in library.choices(name):
+            allowed = ", ".join(library.choices(name)) or "nothing: the folder is empty"
+            raise ShaderError(
+                f"{name}/_choice.toml:1: default '{folder.default}' is no file here; "
+                f"there is: {allowed}"
+            )
+
+
+def _check_parameters(library: Library) -> None:
+    """A parameter's name belongs to one folder (whose choices exclude each other) or one file."""
+    owners: dict[str, str] = {f.setting: f"{n}/_choice.toml" for n, f in library.folders.items()}
+    defaults: dict[str, Value] = {f.setting: f.default for f in library.folders.values()}
+    for path, file in library.files.items():
+        folder = path.split("/")[0]
+        for name, parameter in file.meta.parameters.items():
+            owner = f"{folder}/" if folder in library.folders else path
+            if owners.setdefault(name, owner) != owner:
+                raise ShaderError(f"{path}:1: parameter '{name}' is already one of {owners[name]}")
+            value = parameter.default
+            defaults[name] = 0.0 if isinstance(value, tuple | str) else float(value)
+    for name, meta in library.passes().items():
+        for text in (meta.when, *(target.scale for target in meta.writes.values())):
+            try:
+                evaluate(text, defaults)
+            except LightbenchError as error:
+                raise ShaderError(f"passes/{name}.glsl:1: {error}") from None
+
+
+def _read_folder(root: Path, path: Path) -> Folder:
+    name = path.relative_to(root).as_posix()
+    return _validated(Folder, _toml(name, path.read_text(), 0), name, path.read_text(), 0)
+
+
+def _read_file(root: Path, path: Path, folders: dict[str, Folder]) -> ShaderFile:
+    name = path.relative_to(root).as_posix()
+    text = path.read_bytes().decode("latin-1")
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.isascii():
+            raise ShaderError(f"{name}:{number}: shader files are ASCII; found {line.strip()!r}")
+    folder = name.split("/")[0]
+    match = _FRONT_MATTER.match(text)
+    if match is None and folder != "lib":
+        raise ShaderError(f"{name}:1: the file must begin with front matter, /*--- ... ---*/")
+    block, offset = (match[1], text[: match.start(1)].count("\n")) if match else ("", 0)
+    model = Pass if folder == "passes" else Choice
+    meta = _validated(model, _toml(name, block, offset), name, block, offset)
+    if folder != "lib" and not meta.title:
+        raise ShaderError(f"{name}:{offset + 1}: the front matter needs a title")
+    code = _COMMENT.sub(lambda m: "\n" * m[0].count("\n") or " ", text)
+    functions = _check_contract(name, code, folders.get(folder))
+    return ShaderFile(meta=meta, code=code, functions=functions)
+
+
+def _toml(name: str, block: str, offset: int) -> dict[str, object]:
+    try:
+        return tomllib.loads(block)
+    except tomllib.TOMLDecodeError as error:
+        line = _TOML_LINE.search(str(error))
+        number = offset + int(line[1]) if line else offset + 1
+        raise ShaderError(f"{name}:{number}: front matter: {error}") from None
+
+
+def _validated(
+    model: type[Matter], data: dict[str, object], name: str, block: str, offset: int
+) -> Matter:
+    try:
+        # As JSON, where strictness still takes an array for a tuple.
+        return model.model_validate_json(json.dumps(data, default=str))
+    except ValidationError as error:
+        first = error.errors()[0]
+        keys = [str(key) for key in first["loc"]]
+        number = offset + _line_of(block, keys)
+        what = first["msg"].removeprefix("Value error, ")
+        if first["type"] == "extra_forbidden":
+            what = f"no such key; allowed are: {', '.join(model.model_fields)}"
+        where = f"{'.'.join(keys)}: " if keys else ""
+        raise ShaderError(f"{name}:{number}: front matter: {where}{what}") from None
+
+
+def _line_of(block: str, keys: list[str]) -> int:
+    """The line of the TOML block where the last of `keys` that it shows is set."""
+    for key in reversed(keys):
+        pattern = re.compile(rf"(^|[\s{{,.\[]){re.escape(key)}\s*[=\].]")
+        for number, line in enumerate(block.splitlines(), 1):
+            if pattern.search(line):
+                return number
+    return 1
+
+
+def _signature(text: str) -> tuple[str, str, tuple[str, ...]]:
+    """(return type, name, argument types) of a GLSL signature."""
+    match = re.fullmatch(r"\s*(\w+)\s+(\w+)\s*\(([^()]*)\)\s*", text)
+    if match is None:
+        raise LightbenchError(f"'{text}' is no GLSL signature")
+    return match[1], match[2], argument_types(match[3])
+
+
+def argument_types(arguments: str) -> tuple[str, ...]:
+    """The types of a GLSL argument list, qualifiers left out."""
+    words = [[w for w in a.split() if w not in ("in", "const")] for a in arguments.split(",")]
+    return tuple(w[0] for w in words if w and w != ["void"])
+
+
+def _check_contract(name: str, code: str, folder: Folder | None) -> dict[str, int]:
+    """Line of every function that the file defines, once its folder's contract is seen to hold."""
+    found: dict[str, int] = {}
+    types: dict[str, tuple[str, str, tuple[str, ...]]] = {}
+    for match in _FUNCTION.finditer(code):
+        if match[1] not in ("else", "return"):
+            found[match[2]] = code[: match.start(2)].count("\n") + 1
+            types[match[2]] = (match[1], match[2], argument_types(match[3]))
+    for text in (folder.function, *folder.optional) if folder else ():
+        wanted = _signature(text)
+        if wanted[1] not in found and folder and text == folder.function:
+            raise ShaderError(f"{name}:1: the file must define {text}")
+        if wanted[1] in found and types[wanted[1]] != wanted:
+            raise ShaderError(f"{name}:{found[wanted[1]]}: {wanted[1]} must be {text}")
+    return found

@@ -1,0 +1,27 @@
+/*---
+title    = "Smith for GGX"
+equation = 'G = \frac{1}{1 + \Lambda(l) + \Lambda(v)}'
+source   = "Smith 1967; Heitz 2014, eqs. 72 and 99"
+domain   = { alpha = [1e-4, 1.0] }
+about    = """
+Hidden by random heights, low facets both from light and from view: GGX's own masking. Two square \
+roots."""
+---*/
+#include "lib/lambda_ggx.glsl"
+#include "lib/smith.glsl"
+
+// 0 on and below the horizon.
+float masking(vec3 l, vec3 v, vec3 h, float alpha) {
+    if (l.z <= 0.0 || v.z <= 0.0) {
+        return 0.0;
+    }
+    return 1.0 / (1.0 + lambdaGgx(l, alpha) + lambdaGgx(v, alpha));
+}
+
+// Towards the horizon of one direction 1 / (2 alpha) over the other's cosine.
+float visibility(vec3 l, vec3 v, vec3 h, float alpha) {
+    if (l.z < 0.0 || v.z < 0.0) {
+        return 0.0;
+    }
+    return smithCorrelated(l.z, v.z, cosLambdaGgx(l, alpha), cosLambdaGgx(v, alpha));
+}

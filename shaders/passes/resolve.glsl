@@ -1,0 +1,41 @@
+/*---
+title = "Supersampling resolve"
+about = "The mean of samples x samples linear values per pixel. An invalid sample is handed on whole, so that averaging cannot hide it."
+draw  = "screen"
+reads = ["radiance"]
+when  = "samples > 1"
+
+[writes.linear]
+format = "rgba32f"
+
+[parameters.samples]
+kind    = "int"
+default = 1
+range   = [1, 8]
+step    = 1
+label   = "Samples per pixel and axis"
+---*/
+#include "lib/screen.glsl"
+#if FRAGMENT
+
+#include "lib/invalid.glsl"
+
+out vec4 o_linear;
+
+void main() {
+    ivec2 corner = ivec2(gl_FragCoord.xy) * SAMPLES;
+    vec3 sum = vec3(0.0);
+    for (int y = 0; y < SAMPLES; ++y) {
+        for (int x = 0; x < SAMPLES; ++x) {
+            vec3 radiance = texelFetch(u_radiance, corner + ivec2(x, y), 0).rgb;
+            if (invalid(radiance)) {
+                o_linear = vec4(radiance, 1.0);
+                return;
+            }
+            sum += radiance;
+        }
+    }
+    o_linear = vec4(sum / float(SAMPLES * SAMPLES), 1.0);
+}
+
+#endif
