@@ -1,4 +1,4 @@
-"""Options of the test run: new goldens, and no skip that goes unnoticed."""
+"""Options of the test run: no skip that goes unnoticed."""
 
 from __future__ import annotations
 
@@ -14,20 +14,11 @@ ALLOWED_SKIPS = ("needs a hardware GPU",)
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
-        "--update-goldens", action="store_true", help="write the golden images instead of comparing"
-    )
-    parser.addoption(
         "--no-skips",
         action="store_true",
         default=os.environ.get("CI") == "true",
         help="a skipped test fails (always so with CI=true)",
     )
-
-
-@pytest.fixture(scope="session")
-def update_goldens(request: pytest.FixtureRequest) -> bool:
-    """Whether this run writes the golden images."""
-    return bool(request.config.getoption("--update-goldens"))
 
 
 def _fail_skip(report: pytest.TestReport | pytest.CollectReport, config: pytest.Config) -> None:

@@ -1,14 +1,8 @@
-"""What several tests share: folders of the checkout, the menu, image comparison."""
+"""What several tests share: folders of the checkout, the menu, what a picture must be."""
 
-import contextlib
-import io
 import shutil
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
-
-import numpy as np
-from numpy.typing import NDArray
 
 import lightbench as lb
 from lightbench.image import Image
@@ -44,9 +38,7 @@ def alternatives() -> Iterator[dict[str, Setting]]:
             yield {folder.setting: choice}
 
 
-def planned(
-    scene: str, settings: Mapping[str, Setting], size: tuple[int, int] = (64, 48)
-) -> Plan:
+def planned(scene: str, settings: Mapping[str, Setting], size: tuple[int, int] = (64, 48)) -> Plan:
     """The plan of a preset."""
     return plan(library(), lb.load(scene), settings, size)
 
@@ -63,43 +55,6 @@ def copy_of_shaders(folder: Path, files: Mapping[str, str]) -> Path:
 def driver() -> list[str]:
     """Renderer and version of the GL at hand."""
     return on_gl_thread(lambda: [renderer().name, renderer().version])
-
-
-@dataclass(frozen=True)
-class Difference:
-    """How two 8-bit pictures (H, W, 3) differ."""
-
-    largest: int
-    share_above_one: float
-    flip_mean: float
-    flip_p99: float
-
-
-def compare(actual: NDArray[np.uint8], expected: NDArray[np.uint8]) -> Difference:
-    """Codes and FLIP (67 pixels per degree) between two pictures of one size."""
-    codes = np.abs(actual.astype(int) - expected.astype(int)).max(axis=2)
-    error_map = flip_map(actual, expected)
-    return Difference(
-        int(codes.max()),
-        float((codes > 1).mean()),
-        float(error_map.mean()),
-        float(np.percentile(error_map, 99)),
-    )
-
-
-def flip_map(actual: NDArray[np.uint8], expected: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """FLIP error (H, W), 0 to 1; `actual` and `expected` are display codes (sRGB)."""
-    import flip_evaluator
-
-    with contextlib.redirect_stdout(io.StringIO()):
-        error_map, _, _ = flip_evaluator.evaluate(
-            expected.astype(np.float32) / 255,
-            actual.astype(np.float32) / 255,
-            "LDR",
-            inputsRGB=True,
-            applyMagma=False,
-        )
-    return np.asarray(error_map, np.float32).reshape(actual.shape[:2])
 
 
 def assert_sound(image: Image) -> None:

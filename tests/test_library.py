@@ -74,7 +74,8 @@ def test_no_front_matter(tmp_path: Path) -> None:
 
 def test_a_pass_needs_its_keys(tmp_path: Path) -> None:
     message = refused(tmp_path, "passes/p.glsl", "/*---\ntitle = 'P'\n---*/\n")
-    assert message.startswith("passes/p.glsl:") and "Field required" in message
+    assert message.startswith("passes/p.glsl:")
+    assert "Field required" in message
 
 
 def test_a_pass_with_a_wrong_condition(tmp_path: Path) -> None:
@@ -96,7 +97,8 @@ def test_every_file_says_what_it_is() -> None:
     menu = library()
     for path, file in menu.files.items():
         if path.split("/")[0] in menu.folders:
-            assert file.meta.title and file.meta.about, path
+            assert file.meta.title, path
+            assert file.meta.about, path
         assert len(file.code.splitlines()) <= 150, path
 
 

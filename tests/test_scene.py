@@ -11,6 +11,7 @@ import pytest
 
 import lightbench as lb
 from lightbench.errors import NotFoundError, SceneError, SettingError
+from lightbench.plan import plan
 from lightbench.scene import Scene
 from lightbench.settings import resolve
 from tests.support import SCENES, assert_sound, library, planned, presets
@@ -73,7 +74,7 @@ def test_a_wrong_field_is_named(path: str, value: object) -> None:
 
 def test_f0_and_ior_exclude_each_other() -> None:
     data = changed("materials.white", {"f0": [0.1, 0.1, 0.1], "ior": 1.5})
-    with pytest.raises(SceneError, match="materials.white: give f0 or ior"):
+    with pytest.raises(SceneError, match=r"materials\.white: give f0 or ior"):
         Scene.parse(data)
 
 
@@ -89,9 +90,10 @@ def test_a_light_keeps_only_parameters_that_a_choice_has() -> None:
     with pytest.raises(SceneError, match=r"lights\.lamp\.c3: no such field; allowed are: color"):
         resolve(library(), scene, {})
     scene = Scene.parse(changed("lights.lamp.c1", 0.25))
-    made = lb.plan(library(), scene, {"attenuation": "polynomial", "c1": 0.5}, (8, 8))
+    made = plan(library(), scene, {"attenuation": "polynomial", "c1": 0.5}, (8, 8))
     uniforms = made["passes"][0]["batches"][0]["uniforms"]
-    assert uniforms["u_light0_c1"] == [0.25] and uniforms["u_light1_c1"] == [0.5]
+    assert uniforms["u_light0_c1"] == [0.25]
+    assert uniforms["u_light1_c1"] == [0.5]
 
 
 def test_what_is_no_scene(tmp_path: Path) -> None:
@@ -113,7 +115,8 @@ def test_the_presets_are_whole() -> None:
     assert {"box-room", "spheres", "metals", "single-sphere"} <= set(presets())
     for name in presets():
         scene = lb.load(name)
-        assert scene.title and scene.about
+        assert scene.title
+        assert scene.about
         assert Scene.parse(scene.data()) == scene
         assert json.loads((SCENES / f"{name}.json").read_text())["title"] == scene.title
 
@@ -136,7 +139,7 @@ def test_classic_units_light_a_white_surface_to_one() -> None:
 def test_lumen_are_spread_over_the_cone() -> None:
     """The flux of a spot, integrated over its profile, is what the scene says."""
     scene = Scene.parse(changed("lights.torch.unit", "lumen"))
-    made = lb.plan(library(), scene, {}, (8, 8))
+    made = plan(library(), scene, {}, (8, 8))
     candela = made["passes"][0]["batches"][0]["uniforms"]["u_light1_intensity"][0]
     angle = np.linspace(0, math.radians(20), 200001)
     ramp = (np.cos(angle) - math.cos(math.radians(20))) / (
@@ -181,8 +184,8 @@ def test_sphere_detail_follows_its_size_on_screen() -> None:
 
 def test_power_of_two_and_superposition() -> None:
     """2^k light gives the 2^k image bit by bit; lights add up."""
-    off = {f"lights.{name}.intensity": 0.0 for name in lb.load("box-room").lights}
-    common = {"ambient": "none"}
+    off: dict[str, Any] = {f"lights.{name}.intensity": 0.0 for name in lb.load("box-room").lights}
+    common: dict[str, Any] = {"ambient": "none"}
     one = lb.render("box-room", (64, 48), **{**common, **off, "lights.lamp.intensity": 3.0})
     eight = lb.render("box-room", (64, 48), **{**common, **off, "lights.lamp.intensity": 24.0})
     assert_sound(one)
@@ -198,7 +201,8 @@ def test_power_of_two_and_superposition() -> None:
 
 def test_same_inputs_same_bytes() -> None:
     first, second = (lb.render("box-room", (96, 64)) for _ in range(2))
-    assert first.png() == second.png() and np.array_equal(first.linear, second.linear)
+    assert first.png() == second.png()
+    assert np.array_equal(first.linear, second.linear)
 
 
 def test_supersampling_is_the_mean() -> None:

@@ -59,10 +59,12 @@ def call(
         raise LightbenchError(f"{function}: arrays of different lengths: {sorted(rows)}")
     count = rows.pop() if rows else 1
     text, lines = _program(source, returned, types, columns, function)
-    result = on_gl_thread(_run, text, lines, columns, resolved, source, count)
+    result = on_gl_thread(_run, text, lines, columns, resolved, count)
     return result[:, 0] if RETURNS[returned] == 1 else result[:, : RETURNS[returned]]
 
 
+# The member of a struct that has none, in lib/material.glsl: GLSL has no empty struct.
+NO_FIELD = "unused"
 EMPTY_LISTS = {"LIGHTS": (), "POSITIONAL_LIGHTS": (), "SPOT_LIGHTS": ()}
 
 
@@ -81,7 +83,8 @@ def _struct(source: Source, name: str) -> dict[str, str]:
     match = re.search(rf"struct\s+{name}\s*\{{(.*?)\}}", source.text, re.S)
     if match is None:
         raise LightbenchError(f"an argument of type {name} cannot be given")
-    return {field: kind for kind, field in re.findall(r"(\w+)\s+(\w+)\s*;", match[1])}
+    fields = re.findall(r"(\w+)\s+(\w+)\s*;", match[1])
+    return {field: kind for kind, field in fields if field != NO_FIELD}
 
 
 def _columns(
@@ -150,7 +153,6 @@ def _run(
     lines: tuple[str, ...],
     columns: Mapping[str, NDArray[np.float32]],
     resolved: Resolved,
-    source: Source,
     count: int,
 ) -> NDArray[np.float32]:
     owner = renderer()
@@ -159,6 +161,7 @@ def _run(
         "vertex": SCREEN, "fragment": text, "vertex_lines": [], "fragment_lines": list(lines),
         "attributes": [],
     })  # fmt: skip
+    _set_parameters(program, resolved, {_sampler(name) for name in columns})
     size = (min(count, WIDTH), -(-count // WIDTH))
     if max(size) > owner.limit:
         raise LightbenchError(f"{count} rows are beyond the {WIDTH * owner.limit} of one call")
@@ -168,15 +171,25 @@ def _run(
             textures.append(_texture(context, column, size))
             textures[-1].use(unit)
             set_uniform(program, _sampler(name), unit)
-        for name in source.uniforms:
-            value = resolved.values[name.removeprefix("u_")]
-            set_uniform(program, name, list(value) if isinstance(value, tuple) else [value])
         context.enable_only(moderngl.NOTHING)
         owner.vertices(program, None).render(moderngl.TRIANGLES, vertices=3)
         raw = framebuffer.read(components=4, dtype="f4")
     for item in (*textures, *framebuffer.color_attachments, framebuffer):
         item.release()
     return np.frombuffer(raw, np.float32).reshape(-1, 4)[:count].copy()
+
+
+def _set_parameters(program: moderngl.Program, resolved: Resolved, own: set[str]) -> None:
+    for name in program:
+        if name in own or not isinstance(program[name], moderngl.Uniform):
+            continue
+        value = resolved.values.get(name.removeprefix("u_"))
+        if value is None:
+            raise LightbenchError(
+                f"uniform {name} has no value: make it an argument of the function, or declare it "
+                f"in front matter as [parameters.{name.removeprefix('u_')}]"
+            )
+        set_uniform(program, name, list(value) if isinstance(value, tuple) else [value])
 
 
 def _texture(

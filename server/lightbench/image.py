@@ -45,6 +45,8 @@ class Image:
 
     def invalid(self) -> Invalid:
         """Counts of NaN, infinite and negative pixels of `linear`."""
+        if np.isfinite(self.linear).all() and self.linear.min() >= 0:
+            return Invalid(0, 0, 0)
         nan = np.isnan(self.linear).any(axis=2)
         inf = np.isinf(self.linear).any(axis=2) & ~nan
         with np.errstate(invalid="ignore"):
@@ -97,12 +99,11 @@ FORMATS = {
 
 
 def write_whole(path: Path, data: bytes) -> None:
-    """Write to a temporary file beside `path`, then rename: no reader ever sees half of it."""
+    """Write to a temporary folder beside `path`, then rename: no reader ever sees half of it."""
     try:
-        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-            temporary = Path(file.name)
-            file.write(data)
-        temporary.chmod(0o644)
-        temporary.replace(path)
+        with tempfile.TemporaryDirectory(prefix=".lightbench-", dir=path.parent) as folder:
+            temporary = Path(folder) / path.name
+            temporary.write_bytes(data)
+            temporary.replace(path)
     except OSError as error:
         raise LightbenchError(f"{path}: cannot be written: {error.strerror}") from None

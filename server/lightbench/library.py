@@ -147,7 +147,8 @@ class Library(_Strict):
 
     def choices(self, folder: str) -> list[str]:
         """Names of a folder's files, sorted."""
-        return sorted(Path(p).stem for p in self.files if Path(p).parent.as_posix() == folder)
+        prefix = f"{folder}/"
+        return sorted(p[len(prefix) : -len(".glsl")] for p in self.files if p.startswith(prefix))
 
     def folder_of(self, setting: str) -> str:
         """The folder that a choice setting picks from."""
@@ -156,7 +157,7 @@ class Library(_Strict):
     def passes(self) -> dict[str, Pass]:
         """Front matter of every pass by its name, sorted."""
         return {
-            Path(path).stem: file.meta
+            path.removeprefix("passes/").removesuffix(".glsl"): file.meta
             for path, file in sorted(self.files.items())
             if isinstance(file.meta, Pass)
         }
@@ -164,6 +165,10 @@ class Library(_Strict):
 
 def read_library(root: Path) -> Library:
     """Read and validate a shader folder.
+
+    Front matter is asked only of choices, the files of a folder with a `_choice.toml`, and of
+    `passes/` beside them. A folder without any choice is a stranger's: its comments, which no
+    compiler sees, need not be ASCII.
 
     Raises ShaderError naming file and line for front matter or code that breaks its contract.
     """
@@ -217,25 +222,30 @@ def _check_parameters(library: Library) -> None:
 
 def _read_folder(root: Path, path: Path) -> Folder:
     name = path.relative_to(root).as_posix()
-    return _validated(Folder, _toml(name, path.read_text(), 0), name, path.read_text(), 0)
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        raise ShaderError(f"{name}:1: is not UTF-8: {error.reason}") from None
+    return _validated(Folder, _toml(name, text, 0), name, text, 0)
 
 
 def _read_file(root: Path, path: Path, folders: dict[str, Folder]) -> ShaderFile:
     name = path.relative_to(root).as_posix()
     text = path.read_bytes().decode("latin-1")
-    for number, line in enumerate(text.splitlines(), 1):
+    code = _COMMENT.sub(lambda m: "\n" * m[0].count("\n") or " ", text)
+    for number, line in enumerate((text if folders else code).splitlines(), 1):
         if not line.isascii():
             raise ShaderError(f"{name}:{number}: shader files are ASCII; found {line.strip()!r}")
     folder = name.split("/")[0]
+    render_pass = folder == "passes" and bool(folders)
     match = _FRONT_MATTER.match(text)
-    if match is None and folder != "lib":
+    if match is None and (folder in folders or render_pass):
         raise ShaderError(f"{name}:1: the file must begin with front matter, /*--- ... ---*/")
     block, offset = (match[1], text[: match.start(1)].count("\n")) if match else ("", 0)
-    model = Pass if folder == "passes" else Choice
+    model = Pass if render_pass else Choice
     meta = _validated(model, _toml(name, block, offset), name, block, offset)
-    if folder != "lib" and not meta.title:
+    if (folder in folders or render_pass) and not meta.title:
         raise ShaderError(f"{name}:{offset + 1}: the front matter needs a title")
-    code = _COMMENT.sub(lambda m: "\n" * m[0].count("\n") or " ", text)
     functions = _check_contract(name, code, folders.get(folder))
     return ShaderFile(meta=meta, code=code, functions=functions)
 

@@ -9,6 +9,9 @@ from collections.abc import Sequence
 __all__ = ["compose", "look_at", "multiply", "normal_matrix", "perspective", "rotation"]
 
 Vector = Sequence[float]
+# Sines are rounded to steps of 1/GRID: right angles are exact, and terms that cancel leave no
+# noise, in which maths libraries differ.
+GRID = 2.0**32
 
 
 def multiply(a: Vector, b: Vector) -> list[float]:
@@ -41,12 +44,18 @@ def dot(a: Vector, b: Vector) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
+def _cos_sin(degrees: float) -> tuple[float, float]:
+    angle = degrees * math.pi / 180
+    return _on_grid(math.cos(angle)), _on_grid(math.sin(angle))
+
+
+def _on_grid(value: float) -> float:
+    return math.floor(value * GRID + 0.5) / GRID
+
+
 def rotation(degrees: Vector) -> list[float]:
     """3x3 rotation, column-major: about x first, then y, then z, angles in degrees."""
-    x, y, z = (angle * math.pi / 180 for angle in degrees)
-    cx, sx, cy, sy, cz, sz = (
-        math.cos(x), math.sin(x), math.cos(y), math.sin(y), math.cos(z), math.sin(z),
-    )  # fmt: skip
+    (cx, sx), (cy, sy), (cz, sz) = map(_cos_sin, degrees)
     return [
         cy * cz, cy * sz, -sy,
         sx * sy * cz - cx * sz, sx * sy * sz + cx * cz, sx * cy,

@@ -1,8 +1,9 @@
 """From a scene and settings to the ordered passes, as plain data; no GL in it.
 
-web/src/plan.ts is this module's twin: same scene and settings, same plan.
+web/src/core/plan.ts is this module's twin: same scene and settings, same plan.
 """
 
+import math
 from collections.abc import Mapping
 from functools import lru_cache
 
@@ -214,7 +215,7 @@ class _Planner:
             f"u_{r}": own[r] if r in own else self.produce(r) for r in reads if f"u_{r}" in uniforms
         }
         scale = float(evaluate(spec.scale, self.names))
-        size = [max(1, round(side * scale)) for side in self.size]
+        size = [max(1, math.floor(side * scale + 0.5)) for side in self.size]
         self.result["targets"][target] = {"size": size, "format": spec.format, "depth": spec.depth}
         program = self.program(stages)
         self.result["passes"].append({

@@ -26,6 +26,8 @@ ATTRIBUTES = {
 }
 MAX_PROGRAMS = 256
 MAX_FRAMEBUFFERS = 16
+# Pixels of all framebuffers kept between plans: 2^24 with depth are a third of a gigabyte.
+MAX_KEPT_PIXELS = 2**24
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -68,7 +70,7 @@ class Renderer:
         self._programs: dict[tuple[str, str], moderngl.Program] = {}
         self._vertices: dict[tuple[moderngl.Program, str | None], moderngl.VertexArray] = {}
         self._buffers: dict[tuple[str, str], moderngl.Buffer] = {}
-        self._framebuffers: dict[tuple[object, ...], moderngl.Framebuffer] = {}
+        self._framebuffers: dict[tuple[str, int, int, str, bool], moderngl.Framebuffer] = {}
 
     def run(self, plan: Plan) -> Image:
         """The picture of a plan.
@@ -86,6 +88,7 @@ class Renderer:
         milliseconds = (time.perf_counter() - start) * 1e3
         linear = read(targets[plan["outputs"]["linear"]], "f4")
         display = read(targets[plan["outputs"]["display"]], "f1")
+        self.trim_framebuffers()
         return Image(linear, display, milliseconds, self.name)
 
     def program(self, program: Program) -> moderngl.Program:
@@ -127,6 +130,11 @@ class Renderer:
             self._framebuffers[key] = self.context.framebuffer([texture], depth)
         self._framebuffers[key] = self._framebuffers.pop(key)
         return self._framebuffers[key]
+
+    def trim_framebuffers(self) -> None:
+        """Release those used longest ago until what is kept has at most MAX_KEPT_PIXELS."""
+        while sum(w * h for _, w, h, *_ in self._framebuffers) > MAX_KEPT_PIXELS:
+            release(self._framebuffers.pop(next(iter(self._framebuffers))))
 
     def draw(
         self,

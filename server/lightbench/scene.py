@@ -41,9 +41,16 @@ def _numbers(value: object, allowed: str = "write x,y,z") -> object:
     if not isinstance(value, str):
         return value
     try:
-        return [float(part) for part in value.split(",")]
+        x, y, z = map(float, value.split(","))
     except ValueError:
-        raise ValueError(f"{value!r} does not parse: {allowed}") from None
+        raise ValueError(f"{shown(value)} does not parse: {allowed}") from None
+    return [x, y, z]
+
+
+def _factors(value: object) -> object:
+    """Scale factors along x, y and z; a lone number stands for all three."""
+    alone = isinstance(value, int | float) or (isinstance(value, str) and "," not in value)
+    return (value, value, value) if alone else _numbers(value)
 
 
 def _derived(value: object) -> object:
@@ -52,15 +59,19 @@ def _derived(value: object) -> object:
 
 
 def _not_zero(value: tuple[float, float, float]) -> tuple[float, float, float]:
-    if math.hypot(*value) == 0:
+    if math.hypot(*value) < SHORTEST:
         raise ValueError("a direction must not be zero")
     return value
 
 
+# Shortest vector with a direction: far above where the square of its length would vanish.
+SHORTEST = 1e-9
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Length = Annotated[float, Field(ge=-1e6, le=1e6, allow_inf_nan=False)]
 Vec3 = Annotated[tuple[Length, Length, Length], BeforeValidator(_numbers)]
-Direction = Annotated[Vec3, AfterValidator(_not_zero)]
+Direction = Annotated[
+    Vec3, AfterValidator(_not_zero), Field(json_schema_extra={"kind": "direction"})
+]
 Channel = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
 Color = Annotated[
     tuple[Channel, Channel, Channel],
@@ -117,7 +128,8 @@ class Camera(_Model):
             look[2] * u[0] - look[0] * u[2],
             look[0] * u[1] - look[1] * u[0],
         )
-        if math.hypot(*cross) <= 1e-9 * math.hypot(*look) * math.hypot(*u):
+        lengths = math.hypot(*look), math.hypot(*u)
+        if min(lengths) < SHORTEST or math.hypot(*cross) <= 1e-9 * lengths[0] * lengths[1]:
             raise ValueError("eye, target and up must span a plane: target is the eye or along up")
         return self
 
@@ -163,7 +175,8 @@ class Object(_Model):
     rotation: Euler = (0, 0, 0)
     scale: Annotated[
         tuple[Length, Length, Length],
-        BeforeValidator(lambda v: (v, v, v) if isinstance(v, int | float) else _numbers(v)),
+        BeforeValidator(_factors),
+        Field(json_schema_extra={"kind": "factors"}),
     ] = (1, 1, 1)
     stacks: Annotated[int, Field(ge=1, le=256)] = 16
     sectors: Annotated[int, Field(ge=3, le=1024)] = 64
@@ -244,12 +257,10 @@ class Scene(_Model):
     def _physical(cls, data: object) -> object:
         if not isinstance(data, dict) or data.get("units") != "classic":
             return data
-        lights = {
-            name: {**light, "intensity": light.get("intensity", 1.0) * math.pi}
-            if isinstance(light, dict) and isinstance(light.get("intensity", 1.0), int | float)
-            else light
-            for name, light in data.get("lights", {}).items()
-        }
+        given = data.get("lights", {})
+        if not isinstance(given, dict):
+            return data
+        lights = {name: _times_pi(light) for name, light in given.items()}
         return {**data, "units": "physical", "lights": lights}
 
     @model_validator(mode="after")
@@ -273,6 +284,16 @@ class Scene(_Model):
     def data(self) -> dict[str, object]:
         """The scene as plain JSON data, every default filled in."""
         return self.model_dump(mode="json")
+
+
+def _times_pi(light: object) -> object:
+    """A light's data with its intensity times pi, where that is a number that validation takes."""
+    if not isinstance(light, dict):
+        return light
+    intensity = light.get("intensity", 1.0)
+    if not isinstance(intensity, int | float) or not intensity <= 1e30:
+        return light
+    return {**light, "intensity": intensity * math.pi}
 
 
 def _first_problem(error: ValidationError) -> str:
@@ -304,6 +325,6 @@ def read_scene(name: str, root: Path) -> Scene:
         raise NotFoundError(f"no scene '{name}'; there is: {', '.join(names)}, or a .json file")
     try:
         data: Mapping[str, object] = json.loads(path.read_text())
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise SceneError(f"{name}: not a JSON file: {error}") from None
     return Scene.parse(data, name)

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from lightbench.errors import SceneError, SettingError
+from lightbench.errors import SceneError, SettingError, shown
 from lightbench.library import Library, Parameter
 from lightbench.scene import Scene, color
 
@@ -59,7 +59,7 @@ def _parameters(library: Library, choices: Mapping[str, str]) -> dict[str, Param
     """The parameters of the chosen files, of passes and of lib."""
     found: dict[str, Parameter] = {}
     for path, file in library.files.items():
-        folder, name = path.split("/", 1)
+        folder, _, name = path.partition("/")
         if folder in library.folders:
             active = choices[library.folders[folder].setting]
             if name != f"{active}.glsl":
@@ -104,8 +104,8 @@ def _value(name: str, parameter: Parameter, value: Setting) -> Number:
     number = _number(value)
     if not low <= number <= high or (parameter.kind == "int" and number != int(number)):
         unit = f" {parameter.unit}" if parameter.unit else ""
-        raise SettingError(f"{name}: {value!r} is not {whole} from {low:g} to {high:g}{unit}")
-    return number
+        raise SettingError(f"{name}: {shown(value)} is not {whole} from {low:g} to {high:g}{unit}")
+    return number + 0.0  # -0 becomes 0
 
 
 def _number(value: Setting) -> float:
@@ -113,14 +113,14 @@ def _number(value: Setting) -> float:
         return math.nan
     try:
         return float(value)
-    except ValueError:
+    except (ValueError, OverflowError):
         return math.nan
 
 
 def _bool(name: str, value: Setting) -> bool:
     words = {"true": True, "1": True, "false": False, "0": False}
     if str(value).lower() not in words:
-        raise SettingError(f"{name}: {value!r} is not true or false")
+        raise SettingError(f"{name}: {shown(value)} is not true or false")
     return words[str(value).lower()]
 
 
@@ -131,11 +131,11 @@ def _color(name: str, value: Setting) -> tuple[float, float, float]:
         raise SettingError(f"{name}: {error}") from None
     if not isinstance(channels, list | tuple) or len(channels) != 3:
         raise SettingError(
-            f"{name}: {value!r} is no colour; write #rrggbb (sRGB) or r,g,b (linear)"
+            f"{name}: {shown(value)} is no colour; write #rrggbb (sRGB) or r,g,b (linear)"
         )
     r, g, b = (_number(c) for c in channels)
     if not all(0 <= c <= 1e30 for c in (r, g, b)):
-        raise SettingError(f"{name}: {value!r} has a channel that is negative or no number")
+        raise SettingError(f"{name}: {shown(value)} has a channel that is negative or no number")
     return r, g, b
 
 
@@ -149,8 +149,9 @@ def _edited(scene: Scene, edits: Mapping[str, Setting]) -> Scene:
         at: Any = data
         for key in parents:
             at = at.get(key) if isinstance(at, dict) else None
-        group = parents[0] if parents else ""
-        if not isinstance(at, dict) or group not in ("camera", "lights", "materials", "objects"):
+        group = parents[0]
+        depth = {"camera": 1, "lights": 2, "materials": 2, "objects": 2}.get(group)
+        if not isinstance(at, dict) or len(parents) != depth:
             raise SettingError(f"no setting '{path}'; {_known_paths(scene)}")
         if last not in at and group != "lights":
             raise SettingError(f"no setting '{path}'; allowed here are: {', '.join(map(str, at))}")
@@ -159,6 +160,8 @@ def _edited(scene: Scene, edits: Mapping[str, Setting]) -> Scene:
 
 
 def _known_paths(scene: Scene) -> str:
-    groups = {"lights": scene.lights, "materials": scene.materials, "objects": scene.objects}
+    groups: dict[str, Mapping[str, object]] = {
+        "lights": scene.lights, "materials": scene.materials, "objects": scene.objects
+    }  # fmt: skip
     names = "; ".join(f"{group}: {', '.join(members)}" for group, members in groups.items())
     return f"the scene has camera; {names}"

@@ -11,3 +11,7 @@ Every facet reflects everything: what is missing then is what masking or a wrong
 vec3 fresnel(Material m, float VoH) {
     return vec3(1.0);
 }
+
+bool mirrors() {
+    return true;
+}

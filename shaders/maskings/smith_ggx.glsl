@@ -4,8 +4,8 @@ equation = 'G = \frac{1}{1 + \Lambda(l) + \Lambda(v)}'
 source   = "Smith 1967; Heitz 2014, eqs. 72 and 99"
 domain   = { alpha = [1e-4, 1.0] }
 about    = """
-Hidden by random heights, low facets both from light and from view: GGX's own masking. Two square \
-roots."""
+Facets at random heights, the low ones hidden from light and view alike: GGX's own masking. Two \
+square roots; with Beckmann's D it takes up to 43 % from grazing views."""
 ---*/
 #include "lib/lambda_ggx.glsl"
 #include "lib/smith.glsl"

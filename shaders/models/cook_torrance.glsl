@@ -9,7 +9,12 @@ unit     = "1/sr"
 about    = """
 Facets that mirror by themselves, spread by D, hidden by G, tinted by F, over a matt base for what \
 they let through. Its cost and its highlight are those of the D, G and F that are chosen."""
-material = ["base_color", "metalness", "roughness"]
+material = ["roughness"]
+
+[breaks]
+energy = """
+what the facets mirror at grazing angles is not taken from the base: white plastic sends back 1.3 \
+times what comes at n.v = 0.1 and alpha 0.1"""
 
 [parameters.thesis_blend]
 kind    = "bool"
@@ -23,10 +28,9 @@ label   = "Blend base and facets by metalness"
 #include <distribution>
 #include <masking>
 #include <fresnel>
-
-// The blend by metalness alone shows no facets on a dielectric: this share of them keeps its
-// Fresnel reflection visible.
-const float FACET_SHARE_MIN = 0.005;
+#if THESIS_BLEND || !MIRRORS
+#include "lib/base.glsl"
+#endif
 
 // G / (4 l.z v.z). A masking without visibility is divided by cosines no lower than GRAZING_COS.
 float facetsSeen(vec3 l, vec3 v, vec3 h, float alpha) {
@@ -45,12 +49,13 @@ vec3 brdf(Material m, vec3 l, vec3 v) {
     vec3 h = halfVector(l, v);
     float alpha = alphaFromRoughness(m.roughness);
     vec3 F = fresnel(m, dot(v, h));
-    vec3 base = m.base_color * INV_PI;
     vec3 facets = F * (distribution(h, alpha) * facetsSeen(l, v, h, alpha));
 #if THESIS_BLEND
-    return mix(base, facets, max(m.metalness, FACET_SHARE_MIN));
+    return blendWithBase(m, facets);
+#elif MIRRORS
+    return facets;
 #else
-    return (1.0 - F) * ((1.0 - m.metalness) * base) + facets;
+    return overBase(m, F, facets);
 #endif
 }
 

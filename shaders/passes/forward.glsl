@@ -1,6 +1,6 @@
 /*---
 title = "Forward shading"
-about = "Every object once, every light in turn, into linear radiance. Positions are relative to the eye."
+about = "Every object once, every light in turn, into linear radiance."
 draw  = "objects"
 
 [writes.radiance]

@@ -1,6 +1,8 @@
 /*---
 title = "Supersampling resolve"
-about = "The mean of samples x samples linear values per pixel. An invalid sample is handed on whole, so that averaging cannot hide it."
+about = """
+The mean of samples x samples linear values per pixel. An invalid sample is handed on whole, so \
+that averaging cannot hide it."""
 draw  = "screen"
 reads = ["radiance"]
 when  = "samples > 1"

@@ -1,0 +1,239 @@
+"""The `lightbench` command. What a person got wrong is one line on standard error and exit 2."""
+
+import json
+import os
+import re
+import socket
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, NoReturn, TypeVar
+
+import click
+
+from lightbench.errors import LightbenchError, NotFoundError
+
+__all__ = ["main"]
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+INTERRUPTED = 130
+
+
+def main(arguments: Sequence[str] | None = None) -> NoReturn:
+    """Run the command line and exit: 0, 1 for `doctor` with something missing, 2 for a mistake."""
+    try:
+        code = cli.main(arguments, prog_name="lightbench", standalone_mode=False)
+    except click.Abort:
+        sys.exit(INTERRUPTED)
+    except click.ClickException as error:
+        _refuse(error.format_message())
+    except LightbenchError as error:
+        _refuse(str(error))
+    except OSError as error:
+        _refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
+    sys.exit(code if isinstance(code, int) else 0)
+
+
+def _refuse(message: str) -> NoReturn:
+    """One line: what was wrong; the lines of a shader error stand beside each other."""
+    click.echo(
+        "lightbench: " + " | ".join(filter(None, map(str.strip, message.splitlines()))), err=True
+    )
+    sys.exit(2)
+
+
+def _size(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d{1,6})x(\d{1,6})", value, re.ASCII)
+    if match is None:
+        raise click.BadParameter(f"{value!r} is not WIDTHxHEIGHT in pixels, such as 640x480")
+    return int(match[1]), int(match[2])
+
+
+def _assignments(
+    _context: click.Context, _option: click.Parameter, values: tuple[str, ...]
+) -> dict[str, str]:
+    settings = {}
+    for value in values:
+        name, equals, text = value.partition("=")
+        if not name or not equals:
+            raise click.BadParameter(f"{value!r} is not NAME=VALUE, such as model=phong")
+        settings[name] = text
+    return settings
+
+
+def _use_folder(_context: click.Context, option: click.Parameter, value: str | None) -> None:
+    if value is not None:
+        os.environ[f"LIGHTBENCH_{str(option.name).upper()}"] = value
+
+
+def folders(command: Command) -> Command:
+    """Add --shaders and --scenes, which stand above the environment variables of that name."""
+    for name in ("scenes", "shaders"):
+        command = click.option(
+            f"--{name}",
+            type=click.Path(exists=True, file_okay=False),
+            envvar=f"LIGHTBENCH_{name.upper()}",
+            expose_value=False,
+            callback=_use_folder,
+            help=f"Folder of {name} to read instead of the built-in one.",
+        )(command)
+    return command
+
+
+@click.group(invoke_without_command=True, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(package_name="lightbench", message="%(prog)s %(version)s")
+@folders
+@click.pass_context
+def cli(context: click.Context) -> None:
+    """A bench for light: pick a scene and how it is lit; see the picture and its cost."""
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help())
+
+
+@cli.command()
+@click.argument("scene")
+@click.option("-o", "--output", metavar="FILE", help=".png, .npy or .exr; default: NAME.png here.")
+@click.option(
+    "--size", metavar="WxH", default="640x480", show_default=True, callback=_size, help="In pixels."
+)
+@click.option(
+    "--set", "settings", metavar="NAME=VALUE", multiple=True, callback=_assignments,
+    help="Of `lightbench options`, or the scene's own, as camera.fov=60; the last one counts.",
+)  # fmt: skip
+@click.option("--view", metavar="VIEW", help="What to show of the picture, as --set view=VIEW.")
+@folders
+def render(
+    scene: str,
+    output: str | None,
+    size: tuple[int, int],
+    settings: dict[str, str],
+    view: str | None,
+) -> None:
+    """Render SCENE, a preset's name or the path of a scene .json, to a file."""
+    from lightbench import load, render_plan
+
+    path = Path(output if output is not None else f"{Path(scene).stem}.png")
+    _check_model(scene)
+    loaded = load(scene)
+    _check_ending(path)
+    image = render_plan(loaded, size, settings | ({} if view is None else {"view": view}))
+    image.save(path)
+    height, width = image.linear.shape[:2]
+    click.echo(f"{path}  {width}x{height}  {image.milliseconds:.1f} ms  {image.renderer}")
+    invalid = image.invalid()
+    if invalid.total:
+        click.secho(
+            f"WARNING: {path} is not valid light: {invalid.nan} NaN, {invalid.inf} infinite and "
+            f"{invalid.negative} negative pixels (--view invalid shows where)",
+            fg="red", bold=True, err=True,
+        )  # fmt: skip
+
+
+def _check_ending(path: Path) -> None:
+    from lightbench.image import FORMATS
+
+    if path.suffix not in FORMATS:
+        raise LightbenchError(
+            f"{path}: no format '{path.suffix}'; allowed are: {', '.join(FORMATS)}"
+        )
+
+
+def _check_model(scene: str) -> None:
+    from lightbench.paths import scenes_folder
+    from lightbench.scene import scene_names
+
+    if Path(scene).suffix.lower() in (".glb", ".gltf"):
+        names = ", ".join(scene_names(scenes_folder()))
+        raise NotFoundError(
+            f"{scene}: glTF models cannot be read yet; allowed are a scene .json, or: {names}"
+        )
+
+
+@cli.command()
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
+@click.option("--port", type=click.IntRange(0, 65535), default=8000, show_default=True)
+@folders
+def serve(host: str, port: int) -> None:
+    """Serve the playground and the REST service."""
+    import uvicorn
+
+    from lightbench.api import create_app
+    from lightbench.library import read_library
+    from lightbench.paths import shaders_folder
+
+    read_library(shaders_folder())
+    app = create_app()
+    with _listen(host, port) as listener:
+        shown = f"[{host}]" if ":" in host else host
+        click.echo(f"Lightbench at http://{shown}:{listener.getsockname()[1]} (REST at /docs)")
+        server = uvicorn.Server(uvicorn.Config(app, log_level="warning", access_log=False))
+        try:
+            server.run(sockets=[listener])
+        except KeyboardInterrupt:
+            click.echo()
+
+
+def _listen(host: str, port: int) -> socket.socket:
+    try:
+        family, *_, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        return socket.create_server(address[:2], family=family, backlog=2048)
+    except (OSError, UnicodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise LightbenchError(f"cannot listen on {host}:{port}: {reason}") from None
+
+
+@cli.command()
+@click.option("--json", "as_json", is_flag=True, help="As GET /api/scenes answers.")
+@folders
+def scenes(as_json: bool) -> None:
+    """List the presets."""
+    from lightbench.options import scenes as presets
+    from lightbench.paths import scenes_folder
+
+    found = presets(scenes_folder())
+    if as_json:
+        click.echo(json.dumps(found, indent=2, ensure_ascii=False))
+        return
+    for name, scene in found.items():
+        click.echo(f"{name:<24} {scene['title']}")
+
+
+@cli.command()
+@click.option("--json", "as_json", is_flag=True, help="As GET /api/options answers.")
+@folders
+def options(as_json: bool) -> None:
+    """List every setting, with what it allows."""
+    from lightbench import options as menu
+    from lightbench.library import read_library
+    from lightbench.paths import shaders_folder
+
+    library = read_library(shaders_folder())
+    as_text = json.dumps(menu.options(library), indent=2, ensure_ascii=False)
+    click.echo(as_text if as_json else menu.listing(library))
+
+
+@cli.command()
+@folders
+def doctor() -> int:
+    """Say which OpenGL was found, what is missing and the command that installs it."""
+    from lightbench.doctor import checks
+
+    missing = False
+    for check in checks():
+        click.echo(check)
+        missing = missing or (check.needed and not check.ok)
+    return int(missing)
+
+
+@cli.command()
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@folders
+def bake(folder: Path) -> None:
+    """Write the playground as static files to DIR, which is replaced if an earlier bake made it."""
+    from lightbench.bake import bake as bake_to
+
+    click.echo(f"{folder}: {bake_to(folder)} files; serve them with any web server")
+
+
+if __name__ == "__main__":
+    main()

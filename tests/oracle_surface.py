@@ -1,0 +1,306 @@
+"""Float64 references of how a surface answers light: see oracle.py.
+
+Directions are unit vectors in the shading frame; vectors rounded to float32 are made unit again
+where a formula needs sines from cosines. Where a value is infinite or undefined the shader file's
+documented limit is returned.
+"""
+# ruff: noqa: E741  (l is the direction to the light)
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Material = Mapping[str, Array]
+
+ALPHA_MIN = 1e-4  # lib/alpha.glsl: narrower lobes are taken as this wide
+GRAZING_COS = 1e-7  # lib/constants.glsl: lowest cosine that is divided by
+HORIZON = 1e-100  # a cosine so small that float64 gives the limit for 0 to all digits
+
+
+def unit(w: Array) -> Array:
+    """The vectors (N, 3) with length 1."""
+    length: Array = np.linalg.norm(w, axis=-1, keepdims=True)
+    return w / length
+
+
+def dot(a: Array, b: Array) -> Array:
+    """Scalar products of the rows, (N,)."""
+    return np.asarray(np.sum(a * b, axis=-1))
+
+
+def column(x: NDArray[Any]) -> Array:
+    """(N,) as (N, 1), to multiply colours."""
+    wide: Array = x[..., None]
+    return wide
+
+
+# Directions
+
+
+def half_vector(l: Array, v: Array) -> Array:
+    """(l + v) / |l + v|, and the normal for l = -v."""
+    s = l + v
+    length = np.linalg.norm(s, axis=-1, keepdims=True)
+    opposite = length < 1e-15
+    return np.where(opposite, [0.0, 0.0, 1.0], s / np.where(opposite, 1.0, length))
+
+
+def unit_normal(n: Array, fallback: Array) -> Array:
+    """n / |n|, and the fallback for a normal shorter than 1e-10."""
+    length = np.linalg.norm(n, axis=-1, keepdims=True)
+    return np.where(length > 1e-10, n / np.maximum(length, 1e-300), fallback)
+
+
+def facing_normal(n: Array, v: Array) -> Array:
+    """The reflection of n across the plane normal to v where n faces away from v."""
+    away = dot(n, v) < 0.0
+    return np.where(column(away), n - 2.0 * column(dot(n, v)) * v, n)
+
+
+# Distributions: Walter et al. 2007, eqs. 25, 30 and 33
+
+
+def width(alpha: Array) -> Array:
+    """The width that a lobe is given."""
+    return np.maximum(alpha, ALPHA_MIN)
+
+
+def alpha_from_roughness(roughness: Array) -> Array:
+    """Burley 2012, section 5.4."""
+    return width(roughness**2)
+
+
+def beckmann(h: Array, alpha: Array) -> Array:
+    """exp(-tan^2 / alpha^2) / (pi alpha^2 cos^4)."""
+    c = np.maximum(unit(h)[..., 2], 1e-30)
+    exponent = (c**2 - 1.0) / (width(alpha) ** 2 * c**2)
+    log_d = exponent - np.log(math.pi * width(alpha) ** 2) - 4.0 * np.log(c)
+    return np.where(h[..., 2] > 0.0, np.exp(log_d), 0.0)
+
+
+def blinn_phong(h: Array, alpha: Array) -> Array:
+    """(p + 2) / (2 pi) cos^p, p = 2 / alpha^2 - 2."""
+    p = 2.0 / width(alpha) ** 2 - 2.0
+    c = np.maximum(unit(h)[..., 2], 0.0)
+    return np.where(c > 0.0, (p + 2.0) / (2.0 * math.pi) * c**p, 0.0)
+
+
+def ggx(h: Array, alpha: Array) -> Array:
+    """alpha^2 / (pi (cos^2 (alpha^2 - 1) + 1)^2)."""
+    c, a2 = unit(h)[..., 2], width(alpha) ** 2
+    return np.where(c > 0.0, a2 / (math.pi * (c**2 * (a2 - 1.0) + 1.0) ** 2), 0.0)
+
+
+DISTRIBUTIONS = {"beckmann": beckmann, "blinn_phong": blinn_phong, "ggx": ggx}
+
+# Maskings
+
+
+def slope(w: Array, alpha: Array) -> Array:
+    """a = cos / (alpha sin), with the square that [Heitz 2014] has under the root."""
+    c = np.maximum(unit(w)[..., 2], HORIZON)
+    with np.errstate(divide="ignore"):
+        return c / (width(alpha) * np.sqrt(np.maximum(1.0 - c**2, 0.0)))
+
+
+def lambda_ggx(w: Array, alpha: Array) -> Array:
+    """(-1 + sqrt(1 + 1 / a^2)) / 2: Heitz 2014, eq. 72."""
+    return (-1.0 + np.sqrt(1.0 + 1.0 / slope(w, alpha) ** 2)) / 2.0
+
+
+def lambda_beckmann(w: Array, alpha: Array) -> Array:
+    """The rational fit of Walter et al. 2007, eq. 27, held at 0 where it dips below."""
+    a = np.minimum(slope(w, alpha), 1.6)
+    fit = (1.0 - 1.259 * a + 0.396 * a**2) / (3.535 * a + 2.181 * a**2)
+    return np.where(a < 1.6, np.maximum(fit, 0.0), 0.0)
+
+
+def lambda_beckmann_exact(w: Array, alpha: Array) -> Array:
+    """(erf(a) - 1) / 2 + exp(-a^2) / (2 a sqrt(pi)): Heitz 2014, eq. 66."""
+    a = np.minimum(slope(w, alpha), 30.0)
+    erfc = np.vectorize(math.erfc)(a)
+    return np.asarray(np.exp(-(a**2)) / (2.0 * a * math.sqrt(math.pi)) - erfc / 2.0)
+
+
+Lambda = Callable[[Array, Array], Array]
+
+
+def cos_lambda(function: Lambda) -> Lambda:
+    """cos Lambda, on the horizon its limit."""
+
+    def product(w: Array, alpha: Array) -> Array:
+        return unit(lifted(w))[..., 2] * function(lifted(w), alpha)
+
+    return product
+
+
+Masking = Callable[[Array, Array, Array, Array], Array]
+
+
+def correlated(function: Lambda) -> Masking:
+    """G2 = 1 / (1 + Lambda(l) + Lambda(v)): Heitz 2014, eq. 99."""
+
+    def masking(l: Array, v: Array, h: Array, alpha: Array) -> Array:
+        lit = (l[..., 2] > 0.0) & (v[..., 2] > 0.0)
+        return np.where(lit, 1.0 / (1.0 + function(l, alpha) + function(v, alpha)), 0.0)
+
+    return masking
+
+
+def separable(function: Lambda) -> Masking:
+    """G2 = G1(l) G1(v), G1 = 1 / (1 + Lambda): Heitz 2014, eq. 98."""
+
+    def masking(l: Array, v: Array, h: Array, alpha: Array) -> Array:
+        lit = (l[..., 2] > 0.0) & (v[..., 2] > 0.0)
+        g = 1.0 / (1.0 + function(l, alpha)) / (1.0 + function(v, alpha))
+        return np.where(lit, g, 0.0)
+
+    return masking
+
+
+def v_cavity(l: Array, v: Array, h: Array, alpha: Array) -> Array:
+    """min(1, 2 NoH NoV / VoH, 2 NoH NoL / VoH): Cook & Torrance 1982."""
+    twice = 2.0 * unit(h)[..., 2] / np.maximum(dot(unit(v), unit(h)), 1e-300)
+    g = np.minimum(1.0, twice * np.minimum(unit(l)[..., 2], unit(v)[..., 2]))
+    return np.maximum(g, 0.0)
+
+
+def unmasked(l: Array, v: Array, h: Array, alpha: Array) -> Array:
+    """1."""
+    return np.ones(np.broadcast_shapes(l.shape[:-1], v.shape[:-1], alpha.shape))
+
+
+MASKINGS: dict[str, Masking] = {
+    "cook_torrance": v_cavity,
+    "none": unmasked,
+    "smith_beckmann": correlated(lambda_beckmann),
+    "smith_beckmann_uncorrelated": separable(lambda_beckmann),
+    "smith_ggx": correlated(lambda_ggx),
+    "smith_ggx_uncorrelated": separable(lambda_ggx),
+}
+
+
+def lifted(w: Array) -> Array:
+    """Directions with those on the horizon raised by a cosine that float64 can divide by."""
+    return np.concatenate([w[..., :2], np.maximum(w[..., 2:], HORIZON)], axis=-1)
+
+
+def visibility(masking: Masking) -> Masking:
+    """G / (4 NoL NoV), on the horizon its limit; 0 below."""
+
+    def visible(l: Array, v: Array, h: Array, alpha: Array) -> Array:
+        seen = (l[..., 2] >= 0.0) & (v[..., 2] >= 0.0)
+        l, v = lifted(l), lifted(v)
+        g = masking(l, v, h, alpha)
+        return np.where(seen, g / (4.0 * unit(l)[..., 2] * unit(v)[..., 2]), 0.0)
+
+    return visible
+
+
+def unmasked_visibility(l: Array, v: Array, h: Array, alpha: Array) -> Array:
+    """1 / (4 NoL NoV), the cosines no lower than GRAZING_COS: on the horizon it is infinite."""
+    return 0.25 / np.maximum(l[..., 2], GRAZING_COS) / np.maximum(v[..., 2], GRAZING_COS)
+
+
+VISIBILITIES = {name: visibility(masking) for name, masking in MASKINGS.items()}
+VISIBILITIES["none"] = unmasked_visibility
+
+# Fresnel
+
+
+def schlick(m: Material, VoH: Array) -> Array:
+    """f0 + (1 - f0) (1 - VoH)^5: Schlick 1994."""
+    return m["f0"] + (1.0 - m["f0"]) * column(np.maximum(1.0 - VoH, 0.0) ** 5)
+
+
+def mirror(m: Material, VoH: Array) -> Array:
+    """1."""
+    return np.ones((*VoH.shape, 3))
+
+
+FRESNELS = {"schlick": schlick, "none": mirror}
+
+# Models, each as brdf times cosine; see `over_cosine`
+
+
+def above(l: Array, v: Array) -> Array:
+    """1 where light from l can be seen from v, else 0; (N, 1)."""
+    return np.where(column((l[..., 2] > 0.0) & (v[..., 2] >= 0.0)), 1.0, 0.0)
+
+
+def lambert(m: Material, l: Array, v: Array) -> Array:
+    """base / pi."""
+    return above(l, v) * m["base_color"] / math.pi
+
+
+def phong_cos(m: Material, l: Array, v: Array) -> Array:
+    """kd NoL + ks max(0, r.v)^s, r the mirrored l: Phong 1975, p. 315."""
+    r = unit(l) * [-1.0, -1.0, 1.0]
+    lobe = np.maximum(dot(r, unit(v)), 0.0) ** m["shininess"]
+    return above(l, v) * (m["kd"] * column(unit(l)[..., 2]) + m["ks"] * column(lobe))
+
+
+def blinn_phong_cos(m: Material, l: Array, v: Array) -> Array:
+    """kd NoL + ks max(0, n.h)^s: Blinn 1977, p. 193."""
+    lobe = np.maximum(half_vector(l, v)[..., 2], 0.0) ** m["shininess"]
+    return above(l, v) * (m["kd"] * column(unit(l)[..., 2]) + m["ks"] * column(lobe))
+
+
+Model = Callable[[Material, Array, Array], Array]
+
+
+def over_cosine(model_cos: Model) -> Model:
+    """brdf from brdf times cosine; nearer to the horizon than GRAZING_COS divided by that."""
+
+    def brdf(m: Material, l: Array, v: Array) -> Array:
+        return model_cos(m, l, v) / column(np.maximum(unit(l)[..., 2], GRAZING_COS))
+
+    return brdf
+
+
+def over_base(m: Material, F: Array, facets: Array) -> Array:
+    """(1 - F) (1 - metalness) base / pi + facets."""
+    return (1.0 - F) * (1.0 - column(m["metalness"])) * m["base_color"] / math.pi + facets
+
+
+def blend_with_base(m: Material, facets: Array) -> Array:
+    """Base and facets mixed by metalness, which is at least 0.005."""
+    share = np.maximum(column(m["metalness"]), 0.005)
+    return (1.0 - share) * m["base_color"] / math.pi + share * facets
+
+
+def cook_torrance(
+    m: Material,
+    l: Array,
+    v: Array,
+    distribution: str = "ggx",
+    masking: str = "smith_ggx",
+    fresnel: str = "schlick",
+    thesis_blend: bool = False,
+) -> Array:
+    """D F G / (4 NoL NoV) over a matt base: Walter et al. 2007, eq. 20."""
+    h = half_vector(l, v)
+    alpha = alpha_from_roughness(m["roughness"])
+    F = FRESNELS[fresnel](m, dot(unit(v), h))
+    facets = DISTRIBUTIONS[distribution](h, alpha) * VISIBILITIES[masking](l, v, h, alpha)
+    lit = F * column(facets)
+    return above(l, v) * (blend_with_base(m, lit) if thesis_blend else over_base(m, F, lit))
+
+
+def cook_torrance_cos(
+    m: Material,
+    l: Array,
+    v: Array,
+    distribution: str = "ggx",
+    masking: str = "smith_ggx",
+    fresnel: str = "schlick",
+    thesis_blend: bool = False,
+) -> Array:
+    """Cook-Torrance times NoL."""
+    return cook_torrance(m, l, v, distribution, masking, fresnel, thesis_blend) * l[..., 2:]

@@ -1,0 +1,95 @@
+/** 4x4 matrices as flat column-major arrays of float64. Twin of matrix.py. */
+
+import { glMatrix, mat4, type ReadonlyVec3, vec3 } from "gl-matrix";
+
+glMatrix.setMatrixArrayType(Array);
+
+export type Vector = readonly number[];
+
+// Sines are rounded to steps of 1/GRID: right angles are exact, and terms that cancel leave no
+// noise, in which maths libraries differ.
+const GRID = 2 ** 32;
+
+/** The product a b. */
+export function multiply(a: Vector, b: Vector): Vector {
+  return Array.from(mat4.multiply(mat4.create(), a as number[], b as number[]));
+}
+
+/** The unit vector along v. */
+export function normalize(v: Vector): Vector {
+  return Array.from(vec3.normalize(vec3.create(), triple(v)));
+}
+
+/** a - b. */
+export function subtract(a: Vector, b: Vector): Vector {
+  return Array.from(vec3.subtract(vec3.create(), triple(a), triple(b)));
+}
+
+function cross(a: Vector, b: Vector): Vector {
+  return Array.from(vec3.cross(vec3.create(), triple(a), triple(b)));
+}
+
+/** The scalar product. */
+export function dot(a: Vector, b: Vector): number {
+  return vec3.dot(triple(a), triple(b));
+}
+
+function triple(v: Vector): ReadonlyVec3 {
+  return v as unknown as ReadonlyVec3;
+}
+
+function cosSin(degrees: number): readonly [number, number] {
+  const angle = (degrees * Math.PI) / 180;
+  return [onGrid(Math.cos(angle)), onGrid(Math.sin(angle))];
+}
+
+function onGrid(value: number): number {
+  return Math.floor(value * GRID + 0.5) / GRID;
+}
+
+/** 3x3 rotation, column-major: about x first, then y, then z, angles in degrees. */
+function rotation(degrees: Vector): Vector {
+  const [cx, sx] = cosSin(degrees[0]!);
+  const [cy, sy] = cosSin(degrees[1]!);
+  const [cz, sz] = cosSin(degrees[2]!);
+  return [
+    ...[cy * cz, cy * sz, -sy],
+    ...[sx * sy * cz - cx * sz, sx * sy * sz + cx * cz, sx * cy],
+    ...[cx * sy * cz + sx * sz, cx * sy * sz - sx * cz, cx * cy],
+  ];
+}
+
+/** Model matrix: scale, then rotate, then move. */
+export function compose(position: Vector, degrees: Vector, scale: Vector): Vector {
+  const r = rotation(degrees);
+  const column = (i: number) => [0, 1, 2].map((j) => r[3 * i + j]! * scale[i]!);
+  return [...column(0), 0, ...column(1), 0, ...column(2), 0, ...position, 1];
+}
+
+/** 3x3 inverse transpose of `compose`, column-major: rotation times 1/scale. */
+export function normalMatrix(degrees: Vector, scale: Vector): Vector {
+  return rotation(degrees).map((value, index) => value / scale[Math.floor(index / 3)]!);
+}
+
+/**
+ * View matrix of an eye at the origin that looks along `look`: -z forward, +y up.
+ *
+ * Not mat4.lookAt, which takes a target nearer than 1e-6 m for none.
+ */
+export function lookAt(look: Vector, up: Vector): Vector {
+  const z = normalize(look.map((c) => -c));
+  const x = normalize(cross(up, z));
+  const y = cross(z, x);
+  return [
+    ...[x[0]!, y[0]!, z[0]!, 0],
+    ...[x[1]!, y[1]!, z[1]!, 0],
+    ...[x[2]!, y[2]!, z[2]!, 0],
+    ...[0, 0, 0, 1],
+  ];
+}
+
+/** OpenGL projection; `fov` is vertical, in degrees. */
+export function perspective(fov: number, aspect: number, near: number, far: number): Vector {
+  const angle = (fov * Math.PI) / 180;
+  return Array.from(mat4.perspective(mat4.create(), angle, aspect, near, far));
+}

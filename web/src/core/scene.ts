@@ -1,0 +1,288 @@
+/**
+ * Edits of a scene, checked against the JSON schema that the manifest carries.
+ *
+ * A preset arrives as scene.py wrote it, every default filled in, so only what is edited is checked
+ * here: one camera, light, material or object at a time. Messages are those of scene.py.
+ */
+
+import { general, SceneError, shown } from "./errors";
+import type { Camera, Material, Scene, SceneObject, SchemaNode, SpotLight } from "./types";
+
+export type Light = Scene["lights"][string];
+type Data = Record<string, unknown>;
+
+/** Groups of a scene that settings may edit, in the order in which they are checked. */
+const GROUPS = ["materials", "objects", "lights"] as const;
+const HEX = /^#?([0-9a-fA-F]{6})$/;
+const NUMBER = /^\s*[+-]?(?:(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|(inf(?:inity)?|nan))\s*$/i;
+const INTEGER = /^\s*[+-]?\d+(?:\.0*)?\s*$/;
+// Shortest vector with a direction: far above where the square of its length would vanish.
+const SHORTEST = 1e-9;
+
+/** A problem at a path below the scene; `given` where the message does not show the value itself. */
+class Problem extends Error {
+  constructor(
+    readonly path: string,
+    message: string,
+    given: readonly [unknown] | null = null,
+  ) {
+    super(given ? `${message} (given ${shown(given[0])})` : message);
+  }
+}
+
+/** The number that `text` is in Python's notation; NaN where it is none. */
+export function parseNumber(text: string): number {
+  const plain = text.replace(/(?<=\d)_(?=\d)/g, "");
+  const match = NUMBER.exec(plain);
+  if (!match) return Number.NaN;
+  if (!match[1]) return Number(plain);
+  if (match[1].toLowerCase() === "nan") return Number.NaN;
+  return plain.includes("-") ? -Infinity : Infinity;
+}
+
+function isNumber(text: string): boolean {
+  return NUMBER.test(text.replace(/(?<=\d)_(?=\d)/g, ""));
+}
+
+/** A linear RGB triple from one, or from an sRGB `#rrggbb` (also bare, or `r,g,b`). */
+export function color(value: unknown): unknown {
+  if (typeof value !== "string") return value;
+  const code = HEX.exec(value.trim())?.[1];
+  if (!code) return numbers(value, "write #rrggbb (sRGB) or r,g,b (linear)");
+  return [0, 2, 4].map((at) => decodeSrgb(Number.parseInt(code.slice(at, at + 2), 16) / 255));
+}
+
+/** IEC 61966-2-1. */
+function decodeSrgb(code: number): number {
+  return code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
+}
+
+function numbers(value: unknown, allowed = "write x,y,z"): unknown {
+  if (typeof value !== "string") return value;
+  const parts = value.split(",");
+  if (parts.length !== 3 || !parts.every(isNumber)) {
+    throw new Problem("", `${shown(value)} does not parse: ${allowed}`);
+  }
+  return parts.map(parseNumber);
+}
+
+/** Scale factors along x, y and z; a lone number stands for all three. */
+function factors(value: unknown): unknown {
+  const alone = typeof value === "number" || (typeof value === "string" && !value.includes(","));
+  return alone ? [value, value, value] : numbers(value);
+}
+
+/** The parts of a scene that edits may replace, by path: `camera`, `lights.key`. */
+export type Drafts = ReadonlyMap<string, Data>;
+
+/** `scene` with the drafts in place. Throws SceneError with the path of the offending field. */
+export function withDrafts(scene: Scene, drafts: Drafts, schema: SchemaNode): Scene {
+  try {
+    const edited = replaced(scene, drafts, schema);
+    checkMaterials(edited);
+    return edited;
+  } catch (error) {
+    if (!(error instanceof Problem)) throw error;
+    const where = error.path ? `${error.path}: ` : "";
+    throw new SceneError(`settings: ${where}${error.message}`);
+  }
+}
+
+function replaced(scene: Scene, drafts: Drafts, schema: SchemaNode): Scene {
+  const node = (name: string) => schema.$defs![name]!;
+  const edited: Scene = { ...scene };
+  const camera = drafts.get("camera");
+  if (camera) edited.camera = validate(node("Camera"), camera, "camera") as unknown as Camera;
+  for (const group of GROUPS) {
+    const checked = Object.keys(scene[group]).flatMap((name): [string, Data][] => {
+      const path = `${group}.${name}`;
+      const draft = drafts.get(path);
+      return draft ? [[name, validate(node(definition(group, draft, path)), draft, path)]] : [];
+    });
+    if (checked.length) Object.assign(edited, { [group]: merged(scene[group], checked) });
+  }
+  return edited;
+}
+
+function merged(group: object, checked: readonly [string, Data][]): object {
+  return { ...group, ...Object.fromEntries(checked) };
+}
+
+const LIGHTS = { point: "PointLight", directional: "DirectionalLight", spot: "SpotLight" };
+
+function definition(group: (typeof GROUPS)[number], draft: Data, path: string): string {
+  if (group !== "lights") return group === "materials" ? "Material" : "Object";
+  const found = Object.entries(LIGHTS).find(([type]) => type === draft.type);
+  if (found) return found[1];
+  const tags = Object.keys(LIGHTS).map((type) => `'${type}'`);
+  throw new Problem(
+    path,
+    `Input tag '${draft.type}' found using 'type' does not match any of the expected tags: ${tags.join(", ")}`,
+  );
+}
+
+/** Every field of an object checked, defaults filled in, in the schema's order. */
+function validate(node: SchemaNode, data: Data, path: string): Data {
+  const fields = node.properties ?? {};
+  const result: Data = {};
+  for (const [name, field] of Object.entries(fields)) {
+    const at = `${path}.${name}`;
+    if (Object.hasOwn(data, name)) result[name] = validateField(field, data[name], at);
+    else if (node.required?.includes(name)) throw new Problem(at, "Field required");
+    else result[name] = field.default;
+  }
+  for (const name of Object.keys(data).filter((key) => !Object.hasOwn(fields, key))) {
+    const at = `${path}.${name}`;
+    if (typeof node.additionalProperties !== "object") {
+      throw new Problem(at, "no such field", [data[name]]);
+    }
+    result[name] = validateField(node.additionalProperties, data[name], at);
+  }
+  CHECKS[node.title ?? ""]?.(result, path);
+  return result;
+}
+
+function validateField(node: SchemaNode, value: unknown, path: string): unknown {
+  if (node.anyOf) {
+    return value === null || value === "auto" ? null : validateField(node.anyOf[0]!, value, path);
+  }
+  if (node.prefixItems) return validateTuple(node, value, path);
+  if (node.enum ?? node.const) return validateWord(node, value, path);
+  if (node.type === "string") return validateText(node, value, path);
+  return validateNumber(node, value, path);
+}
+
+function validateTuple(node: SchemaNode, value: unknown, path: string): unknown {
+  const items = before(node, value, path);
+  if (!Array.isArray(items)) throw new Problem(path, "Input should be a valid tuple", [value]);
+  const wanted = node.prefixItems!;
+  if (items.length > wanted.length) {
+    const message = `Tuple should have at most ${wanted.length} items after validation, not ${items.length}`;
+    throw new Problem(path, message, [items]);
+  }
+  const checked = wanted.map((item, index) => {
+    const at = `${path}.${index}`;
+    if (index >= items.length) throw new Problem(at, "Field required", [items]);
+    return validateNumber(item, items[index], at);
+  });
+  if (node.kind === "direction" && Math.hypot(...checked) < SHORTEST) {
+    throw new Problem(path, "a direction must not be zero");
+  }
+  return checked;
+}
+
+/** What a triple may be written as. */
+function before(node: SchemaNode, value: unknown, path: string): unknown {
+  try {
+    if (node.kind === "color") return color(value);
+    return node.kind === "factors" ? factors(value) : numbers(value);
+  } catch (error) {
+    if (!(error instanceof Problem)) throw error;
+    throw new Problem(path, error.message);
+  }
+}
+
+function validateWord(node: SchemaNode, value: unknown, path: string): unknown {
+  const words = node.enum ?? [node.const!];
+  if (typeof value === "string" && words.includes(value)) return value;
+  const allowed = words.map((word) => `'${word}'`);
+  const last = allowed.pop();
+  const listed = allowed.length ? `${allowed.join(", ")} or ${last}` : last;
+  throw new Problem(path, `Input should be ${listed}`, [value]);
+}
+
+function validateText(node: SchemaNode, value: unknown, path: string): unknown {
+  if (typeof value !== "string") throw new Problem(path, "Input should be a valid string", [value]);
+  if (node.pattern && !new RegExp(node.pattern).test(value)) {
+    throw new Problem(path, `String should match pattern '${node.pattern}'`, [value]);
+  }
+  return value;
+}
+
+function validateNumber(node: SchemaNode, value: unknown, path: string): number {
+  const number = node.type === "integer" ? toInteger(value, path) : toNumber(value, path);
+  if (!Number.isFinite(number)) throw new Problem(path, "Input should be a finite number", [value]);
+  const { maximum, minimum } = node;
+  if (maximum !== undefined && number > maximum) {
+    const message = `Input should be less than or equal to ${digits(maximum)}`;
+    throw new Problem(path, message, [value]);
+  }
+  if (minimum !== undefined && number < minimum) {
+    const message = `Input should be greater than or equal to ${digits(minimum)}`;
+    throw new Problem(path, message, [value]);
+  }
+  return number;
+}
+
+function toNumber(value: unknown, path: string): number {
+  if (typeof value === "number" || typeof value === "boolean") return Number(value);
+  if (typeof value !== "string") throw new Problem(path, "Input should be a valid number", [value]);
+  if (isNumber(value)) return parseNumber(value);
+  const message = "Input should be a valid number, unable to parse string as a number";
+  throw new Problem(path, message, [value]);
+}
+
+function toInteger(value: unknown, path: string): number {
+  const what = "Input should be a valid integer";
+  if (typeof value === "string" && INTEGER.test(value)) return Number(value);
+  if (typeof value === "string") {
+    throw new Problem(path, `${what}, unable to parse string as an integer`, [value]);
+  }
+  if (typeof value === "boolean") return Number(value);
+  if (typeof value !== "number") throw new Problem(path, what, [value]);
+  if (Number.isFinite(value) && !Number.isInteger(value)) {
+    throw new Problem(path, `${what}, got a number with a fractional part`, [value]);
+  }
+  return value;
+}
+
+/** A limit in full: 1e30 as a one and thirty zeros. */
+function digits(limit: number): string {
+  const [, mantissa = "", exponent = ""] = /^(\d+)e\+(\d+)$/.exec(`${limit}`) ?? [];
+  return mantissa ? mantissa.padEnd(Number(exponent) + 1, "0") : `${limit}`;
+}
+
+/** What no single field shows. */
+const CHECKS: Readonly<Record<string, (data: Data, path: string) => void>> = {
+  Camera: (data, path) => checkFrame(data as unknown as Camera, path),
+  Material: (data, path) => checkOneSource(data as unknown as Material, path),
+  Object: (data, path) => checkNotFlat(data as unknown as SceneObject, path),
+  SpotLight: (data, path) => checkCone(data as unknown as SpotLight, path),
+};
+
+function checkFrame({ eye, target, up }: Camera, path: string): void {
+  const [x, y, z] = [target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]];
+  const cross = Math.hypot(y * up[2] - z * up[1], z * up[0] - x * up[2], x * up[1] - y * up[0]);
+  const lengths = [Math.hypot(x, y, z), Math.hypot(...up)] as const;
+  if (Math.min(...lengths) < SHORTEST || cross <= 1e-9 * lengths[0] * lengths[1]) {
+    const message = "eye, target and up must span a plane: target is the eye or along up";
+    throw new Problem(path, message);
+  }
+}
+
+function checkOneSource({ f0, ior }: Material, path: string): void {
+  if (f0 !== null && ior !== null) throw new Problem(path, "give f0 or ior, not both");
+}
+
+function checkNotFlat({ scale }: SceneObject, path: string): void {
+  if (scale.some((s) => s <= 0)) throw new Problem(path, "scale: each factor must be above 0");
+}
+
+function checkCone({ inner, outer }: SpotLight, path: string): void {
+  if (inner > outer) {
+    const message = `inner (${general(inner)} deg) must not exceed outer (${general(outer)} deg)`;
+    throw new Problem(path, message);
+  }
+}
+
+function checkMaterials(scene: Scene): void {
+  for (const [name, { material }] of Object.entries(scene.objects)) {
+    if (!Object.hasOwn(scene.materials, material)) {
+      const known = Object.keys(scene.materials).join(", ");
+      throw new Problem(
+        "",
+        `objects.${name}.material: no material '${material}'; there is: ${known}`,
+      );
+    }
+  }
+}

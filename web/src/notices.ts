@@ -1,0 +1,32 @@
+// Sentences over the picture: what went wrong and what to do.
+import { make } from "./dom";
+
+export class Notices {
+  private failure: HTMLElement | null = null;
+
+  constructor(private readonly root: HTMLElement) {}
+
+  /** A sentence that stays until it is dismissed. */
+  say(sentence: string): void {
+    if ([...this.root.children].some((notice) => notice.firstChild?.textContent === sentence))
+      return;
+    const notice = make("div", { class: "notice" }, make("p", {}, sentence));
+    const click = () => notice.remove();
+    notice.append(make("button", { type: "button", "aria-label": "Dismiss", click }, "×"));
+    this.root.append(notice);
+  }
+
+  /** The one sentence about the picture itself; null once it is drawn again. */
+  fail(sentence: string | null): void {
+    if (this.failure?.textContent === (sentence ?? undefined)) return;
+    this.failure?.remove();
+    this.failure =
+      sentence === null ? null : make("div", { class: "notice failure" }, make("p", {}, sentence));
+    if (this.failure) this.root.prepend(this.failure);
+  }
+
+  clear(): void {
+    this.root.replaceChildren();
+    this.failure = null;
+  }
+}

@@ -1,0 +1,91 @@
+// `window.lightbench`: the page's own tools for tests and for the console.
+import type { MeshLoader } from "./core/mesh";
+import { plan } from "./core/plan";
+import { createContext, Renderer } from "./core/render";
+import type { Settings } from "./core/settings";
+import type { Manifest, Plan, Program, Scene } from "./core/types";
+
+const WARM_UP = 3;
+
+/** RGBA rows from the top: linear radiance and display codes. */
+export interface Picture {
+  linear: Float32Array;
+  display: Uint8Array;
+  width: number;
+  height: number;
+  renderer: string;
+}
+
+export interface Probe {
+  /** Resolves with the first picture. */
+  ready: Promise<void>;
+  /** A picture of a preset, drawn aside: the page's own stays as it is. */
+  render(scene: string, settings?: Settings, size?: [number, number]): Promise<Picture>;
+  plan(scene: string, settings?: Settings, size?: [number, number]): Promise<Plan>;
+  /**
+   * Wall-clock milliseconds of whole frames after a warm-up: planning, drawing, and the read-back of
+   * one pixel that waits for its end.
+   */
+  measure(
+    scene: string,
+    settings: Settings,
+    size: [number, number],
+    frames: number,
+  ): Promise<{ milliseconds: number[]; renderer: string }>;
+  /** The programs of the picture that is shown. */
+  programs(): readonly Program[];
+}
+
+declare global {
+  interface Window {
+    lightbench: Probe;
+  }
+}
+
+/** What the probe needs of the page. */
+export interface Bench {
+  manifest: Promise<Manifest>;
+  scene(name: string): Promise<Scene>;
+  meshes: MeshLoader;
+  shown(): Plan | null;
+  ready: Promise<void>;
+}
+
+export function makeProbe(bench: Bench): Probe {
+  let renderer: Renderer | null = null;
+  const planned: Probe["plan"] = async (scene, settings = {}, size = [640, 480]) =>
+    plan(await bench.manifest, await bench.scene(scene), settings, size);
+  const prepared = async (found: Plan): Promise<Renderer> => {
+    if (renderer?.gl.isContextLost()) renderer = null;
+    renderer ??= new Renderer(createContext(new OffscreenCanvas(1, 1)), bench.meshes);
+    await renderer.prepare(found);
+    return renderer;
+  };
+  return {
+    ready: bench.ready,
+    plan: planned,
+    programs: () => bench.shown()?.programs ?? [],
+    async render(scene, settings = {}, size = [640, 480]) {
+      const found = await planned(scene, settings, size);
+      const aside = await prepared(found);
+      aside.run(found);
+      const [width, height] = size;
+      const linear = aside.readLinear();
+      return { linear, display: aside.readDisplay(), width, height, renderer: aside.name };
+    },
+    async measure(scene, settings, size, frames) {
+      const [manifest, described] = await Promise.all([bench.manifest, bench.scene(scene)]);
+      const draw = () => plan(manifest, described, settings, size);
+      const aside = await prepared(draw());
+      const pixel = new Uint8Array(4);
+      const milliseconds: number[] = [];
+      for (let frame = 0; frame < WARM_UP + frames; frame++) {
+        const start = performance.now();
+        aside.run(draw());
+        aside.gl.readPixels(0, 0, 1, 1, aside.gl.RGBA, aside.gl.UNSIGNED_BYTE, pixel);
+        milliseconds.push(performance.now() - start);
+      }
+      return { milliseconds: milliseconds.slice(WARM_UP), renderer: aside.name };
+    },
+  };
+}

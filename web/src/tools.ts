@@ -1,0 +1,72 @@
+// The bar's buttons and the page's keys.
+import type { App } from "./app";
+import { chooseScene, copyText, showHelp, showSources } from "./dialog";
+import { byId, isTyping } from "./dom";
+import { recall, remember } from "./memory";
+
+/** Connect buttons and keys to the page. */
+export function addTools(app: App): void {
+  const button = (id: string, click: (button: HTMLButtonElement) => void) => {
+    const found = byId<HTMLButtonElement>(id);
+    found.addEventListener("click", () => click(found));
+    return found;
+  };
+  button("scene", () =>
+    chooseScene(app.manifest, app.store.state.scene, (name) => app.choose(name)),
+  );
+  const undo = button("undo", () => app.store.undo());
+  const redo = button("redo", () => app.store.redo());
+  button("server", () => app.wipe.show(!app.wipe.shown));
+  button("sources", () => app.view.plan && showSources(app.view.plan));
+  button("save", () => void save(app));
+  const share = button("share", (found) => void copyText(app.link.flush(), found));
+  share.hidden = location.protocol === "file:"; // a link that nobody else could open
+  button("help", () => showHelp(app.store.state));
+  const follow = () => {
+    undo.disabled = !app.store.canUndo;
+    redo.disabled = !app.store.canRedo;
+  };
+  app.store.listen(follow);
+  follow();
+  hidePanel(recall("hidden", false));
+  window.addEventListener("keydown", (event) => key(app, event), { capture: true });
+}
+
+function key(app: App, event: KeyboardEvent): void {
+  const command = event.ctrlKey || event.metaKey;
+  const letter = event.key.toLowerCase();
+  if (isTyping(event.target) || document.querySelector("dialog[open]")) return;
+  if (command && letter === "z") {
+    if (event.shiftKey) app.store.redo();
+    else app.store.undo();
+  } else if (command && letter === "y") app.store.redo();
+  else if (command || event.altKey) return;
+  else if (/^[1-9]$/.test(letter)) {
+    const name = Object.keys(app.manifest.scenes)[Number(letter) - 1];
+    if (name) app.choose(name);
+  } else if (letter === "h") hidePanel(!document.body.classList.contains("no-panel"));
+  else if (letter === "?") showHelp(app.store.state);
+  else if (letter === "home" && !(event.target as HTMLElement).closest("aside")) app.home();
+  else return;
+  event.preventDefault();
+}
+
+function hidePanel(hidden: boolean): void {
+  document.body.classList.toggle("no-panel", hidden);
+  remember("hidden", hidden);
+}
+
+/** The display codes as they are, through no other encoding. */
+async function save(app: App): Promise<void> {
+  const { plan, renderer } = app.view;
+  if (!plan || !renderer) return;
+  const [width, height] = plan.size as [number, number];
+  const canvas = new OffscreenCanvas(width, height);
+  const codes = new Uint8ClampedArray(renderer.readDisplay());
+  canvas.getContext("2d")!.putImageData(new ImageData(codes, width, height), 0, 0);
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(await canvas.convertToBlob({ type: "image/png" }));
+  link.download = `${app.store.state.scene.replaceAll("/", "-")}.png`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}

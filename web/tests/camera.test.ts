@@ -1,0 +1,87 @@
+import { expect, test } from "vitest";
+import type { Scene, SceneObject } from "../src/core/types";
+import { between, distance, focus, orbit, type Pose, pan, ray, zoom } from "../src/orbit";
+import { pick } from "../src/pick";
+import { scene } from "./bench";
+
+const pose: Pose = { eye: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0] };
+const close = (found: readonly number[], wanted: number[]) => {
+  for (const [axis, value] of wanted.entries()) expect(found[axis]).toBeCloseTo(value, 2);
+};
+
+test("orbiting keeps the distance and stops short of the poles", () => {
+  close(orbit(pose, Math.PI / 2, 0).eye, [-5, 0, 0]);
+  close(orbit(pose, 0, Math.PI / 6).eye, [0, 2.5, 4.3301]);
+  const top = orbit(pose, 0, 10);
+  expect(distance(top)).toBeCloseTo(5, 3);
+  expect(top.eye[1]).toBeLessThan(5);
+  expect(top.eye[1]).toBeGreaterThan(4.99);
+  let many = pose;
+  for (let step = 0; step < 360; step += 1) many = orbit(many, Math.PI / 180, 0);
+  close(many.eye, [0, 0, 5]);
+});
+
+test("any axis may be up", () => {
+  const other: Pose = { eye: [0, 5, 0], target: [0, 0, 0], up: [0, 0, 1] };
+  close(orbit(other, 0, Math.PI / 2 - 0.02).eye, [0, 0.1, 5]);
+});
+
+test("zoom is towards the target and never through it", () => {
+  close(zoom(pose, 0.5).eye, [0, 0, 2.5]);
+  expect(distance(zoom(pose, 1e-9))).toBeCloseTo(1e-3, 6);
+});
+
+test("panning moves eye and target by parts of the picture's height", () => {
+  const moved = pan(pose, 90, 0.1, 0.2);
+  close(moved.eye, [1, 2, 5]);
+  close(moved.target, [1, 2, 0]);
+});
+
+test("focus looks from the same side; a flight ends exactly", () => {
+  const there = focus(pose, [0, 0, 1], 2);
+  close(there.eye, [0, 0, 3]);
+  close(between(pose, there, 0.5).eye, [0, 0, 4]);
+  expect(between(pose, there, 1)).toBe(there);
+});
+
+test("numbers stay short enough for a link", () => {
+  for (const value of orbit(pose, 0.1234, 0.4321).eye) {
+    expect(`${value}`.length).toBeLessThanOrEqual(7);
+  }
+});
+
+function object(shape: SceneObject["shape"], given: Partial<SceneObject> = {}): SceneObject {
+  return { ...scene.objects.ball!, shape, ...given };
+}
+
+function hit(objects: Record<string, SceneObject>, x = 0, y = 0) {
+  const direction = ray(pose, 90, 1, x, y);
+  return pick({ ...scene, objects } as Scene, pose.eye, direction);
+}
+
+test.each([
+  ["sphere", 4],
+  ["cube", 4.5],
+] as const)("a ray meets a %s at its front", (shape, far) => {
+  expect(hit({ thing: object(shape) })?.distance).toBeCloseTo(far, 5);
+});
+
+test("a plane is met from its front only", () => {
+  const wall = object("plane", { rotation: [90, 0, 0] });
+  expect(hit({ wall })?.distance).toBeCloseTo(5, 5);
+  expect(hit({ wall: { ...wall, rotation: [-90, 0, 0] } })).toBeNull();
+  expect(hit({ wall }, 0.2)).toBeNull();
+});
+
+test("a cone is met on its side, below its apex", () => {
+  const cone = object("cone", { position: [0, -0.5, 0] });
+  expect(hit({ cone })?.distance).toBeCloseTo(4.5, 5);
+  expect(hit({ cone }, 0, 0.2)).toBeNull();
+});
+
+test("the nearest of several counts, scaled and moved", () => {
+  const near = object("sphere", { position: [0, 0, 2], scale: [0.5, 0.5, 0.5] });
+  const found = hit({ far: object("sphere"), near });
+  expect(found?.name).toBe("near");
+  close(found!.point, [0, 0, 2.5]);
+});
