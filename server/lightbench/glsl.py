@@ -156,6 +156,7 @@ def _run(
     count: int,
 ) -> NDArray[np.float32]:
     owner = renderer()
+    owner.make_room()
     context = owner.context
     program = owner.program({
         "vertex": SCREEN, "fragment": text, "vertex_lines": [], "fragment_lines": list(lines),

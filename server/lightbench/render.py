@@ -25,9 +25,10 @@ ATTRIBUTES = {
     "a_tangent": ("tangents", "4f4"),
 }
 MAX_PROGRAMS = 256
-MAX_FRAMEBUFFERS = 16
 # Pixels of all framebuffers kept between plans: 2^24 with depth are a third of a gigabyte.
 MAX_KEPT_PIXELS = 2**24
+# What a framebuffer counts for at least: its attachments cost something at any size.
+LEAST_PIXELS = 2**18
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -78,6 +79,7 @@ class Renderer:
         Raises ShaderError naming file and line where a source does not compile, GraphicsError
         where a target is larger than the context allows.
         """
+        self.make_room()
         programs = [self.program(program) for program in plan["programs"]]
         targets = {name: self.framebuffer(name, target) for name, target in plan["targets"].items()}
         self.context.finish()
@@ -88,15 +90,12 @@ class Renderer:
         milliseconds = (time.perf_counter() - start) * 1e3
         linear = read(targets[plan["outputs"]["linear"]], "f4")
         display = read(targets[plan["outputs"]["display"]], "f1")
-        self.trim_framebuffers()
         return Image(linear, display, milliseconds, self.name)
 
     def program(self, program: Program) -> moderngl.Program:
         """The compiled program of two sources, compiled once."""
         key = (program["vertex"], program["fragment"])
         if key not in self._programs:
-            if len(self._programs) >= MAX_PROGRAMS:
-                self.forget_programs()
             try:
                 self._programs[key] = self.context.program(*key)
             except moderngl.Error as error:
@@ -105,14 +104,17 @@ class Renderer:
                 raise ShaderError(explain(str(error), text, lines)) from None
         return self._programs[key]
 
-    def forget_programs(self) -> None:
-        """Release every program and what was bound to it."""
-        for array in self._vertices.values():
-            array.release()
-        for compiled in self._programs.values():
-            compiled.release()
-        self._vertices.clear()
-        self._programs.clear()
+    def make_room(self) -> None:
+        """Release what too many plans have left behind: all programs, the oldest framebuffers."""
+        while sum(max(w * h, LEAST_PIXELS) for _, w, h, *_ in self._framebuffers) > MAX_KEPT_PIXELS:
+            release(self._framebuffers.pop(next(iter(self._framebuffers))))
+        if len(self._programs) > MAX_PROGRAMS:
+            for array in self._vertices.values():
+                array.release()
+            for program in self._programs.values():
+                program.release()
+            self._vertices.clear()
+            self._programs.clear()
 
     def framebuffer(self, name: str, target: PlannedTarget) -> moderngl.Framebuffer:
         """The framebuffer of a target, kept for the next plan of the same size."""
@@ -121,8 +123,6 @@ class Renderer:
             raise GraphicsError(f"{name}: {width}x{height} is beyond this GL's {self.limit} pixels")
         key = (name, width, height, target["format"], target["depth"])
         if key not in self._framebuffers:
-            while len(self._framebuffers) >= MAX_FRAMEBUFFERS:
-                release(self._framebuffers.pop(next(iter(self._framebuffers))))
             texture = self.context.texture((width, height), 4, dtype=DTYPES[target["format"]])
             texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
             texture.repeat_x = texture.repeat_y = False
@@ -130,11 +130,6 @@ class Renderer:
             self._framebuffers[key] = self.context.framebuffer([texture], depth)
         self._framebuffers[key] = self._framebuffers.pop(key)
         return self._framebuffers[key]
-
-    def trim_framebuffers(self) -> None:
-        """Release those used longest ago until what is kept has at most MAX_KEPT_PIXELS."""
-        while sum(w * h for _, w, h, *_ in self._framebuffers) > MAX_KEPT_PIXELS:
-            release(self._framebuffers.pop(next(iter(self._framebuffers))))
 
     def draw(
         self,

@@ -183,8 +183,8 @@ class Object(_Model):
 
     @model_validator(mode="after")
     def _not_flat(self) -> Self:
-        if any(s <= 0 for s in self.scale):
-            raise ValueError("scale: each factor must be above 0")
+        if any(s < 1e-6 for s in self.scale):
+            raise ValueError("scale: each factor must be at least 1e-6")
         return self
 
 
