@@ -11,12 +11,12 @@ from collections.abc import Callable
 import numpy as np
 
 from tests.oracle_surface import (
+    Array,
     DISTRIBUTIONS,
     FRESNELS,
     MASKINGS,
-    VISIBILITIES,
-    Array,
     Material,
+    VISIBILITIES,
     alpha_from_roughness,
     blend_with_base,
     blinn_phong_cos,
@@ -32,6 +32,7 @@ from tests.oracle_surface import (
     over_base,
     over_cosine,
     phong_cos,
+    slope_ggx,
     unit_normal,
 )
 
@@ -254,4 +255,5 @@ for _name, _transfer in TRANSFERS.items():
     FUNCTIONS[f"transfers/{_name}.glsl", "transfer"] = _transfer
 for _name, _lambda in {"Ggx": lambda_ggx, "Beckmann": lambda_beckmann}.items():
     FUNCTIONS[f"lib/lambda_{_name.lower()}.glsl", f"lambda{_name}"] = _lambda
-    FUNCTIONS[f"lib/lambda_{_name.lower()}.glsl", f"cosLambda{_name}"] = cos_lambda(_lambda)
+FUNCTIONS["lib/lambda_beckmann.glsl", "cosLambdaBeckmann"] = cos_lambda(lambda_beckmann)
+FUNCTIONS["lib/lambda_ggx.glsl", "slopeGgx"] = slope_ggx

@@ -140,6 +140,14 @@ def cos_lambda(function: Lambda) -> Lambda:
     return product
 
 
+def slope_ggx(w: Array, alpha: Array) -> Array:
+    """cos (1 + 2 Lambda) of GGX = sqrt(cos^2 + (alpha sin)^2)."""
+    w = unit(w)
+    return np.asarray(
+        np.sqrt(w[..., 2] ** 2 + width(alpha) ** 2 * (w[..., 0] ** 2 + w[..., 1] ** 2))
+    )
+
+
 Masking = Callable[[Array, Array, Array, Array], Array]
 
 

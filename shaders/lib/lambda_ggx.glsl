@@ -7,16 +7,17 @@ source   = "Heitz 2014, eq. 72"
 #include "lib/alpha.glsl"
 #include "lib/constants.glsl"
 
-// w.z Lambda(w), finite on the horizon (alpha / 2), where Lambda itself is not.
-// x2 / (2 (cos + sqrt(cos^2 + x2))), x2 = (alpha sin)^2: (sqrt(cos^2 + x2) - cos) / 2 would cancel.
-// w.z [0, 1], alpha [ALPHA_MIN, 1] -> [0, alpha / 2]; narrower is taken as ALPHA_MIN.
-float cosLambdaGgx(vec3 w, float alpha) {
+// w.z (1 + 2 Lambda(w)) = sqrt(cos^2 + (alpha sin)^2): a sum of squares, finite on the horizon (alpha).
+// w.z [0, 1], alpha [ALPHA_MIN, 1] -> [alpha, 1]; narrower is taken as ALPHA_MIN.
+float slopeGgx(vec3 w, float alpha) {
     float width = max(alpha, ALPHA_MIN);
-    float x2 = width * width * dot(w.xy, w.xy);
-    return 0.5 * x2 / (w.z + sqrt(w.z * w.z + x2));
+    return sqrt(w.z * w.z + width * width * dot(w.xy, w.xy));
 }
 
-// Lambda(w) -> [0, alpha / (2 GRAZING_COS)]: held at that cosine's value down to the horizon.
+// Lambda(w) = x^2 / (2 cos (cos + sqrt(cos^2 + x^2))), x = alpha sin: (slope - cos) / (2 cos) would
+// cancel. -> [0, alpha / (2 GRAZING_COS)]: held at that cosine's value down to the horizon.
 float lambdaGgx(vec3 w, float alpha) {
-    return cosLambdaGgx(w, alpha) / max(w.z, GRAZING_COS);
+    float width = max(alpha, ALPHA_MIN);
+    float x2 = width * width * dot(w.xy, w.xy);
+    return 0.5 * x2 / ((w.z + slopeGgx(w, alpha)) * max(w.z, GRAZING_COS));
 }

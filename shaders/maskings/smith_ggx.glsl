@@ -7,8 +7,8 @@ about    = """
 Facets at random heights, the low ones hidden from light and view alike: GGX's own masking. Two \
 square roots; with Beckmann's D it takes up to 43 % from grazing views."""
 ---*/
+#include "lib/constants.glsl"
 #include "lib/lambda_ggx.glsl"
-#include "lib/smith.glsl"
 
 // 0 on and below the horizon.
 float masking(vec3 l, vec3 v, vec3 h, float alpha) {
@@ -23,5 +23,6 @@ float visibility(vec3 l, vec3 v, vec3 h, float alpha) {
     if (l.z < 0.0 || v.z < 0.0) {
         return 0.0;
     }
-    return smithCorrelated(l.z, v.z, cosLambdaGgx(l, alpha), cosLambdaGgx(v, alpha));
+    float d = v.z * slopeGgx(l, alpha) + l.z * slopeGgx(v, alpha);
+    return 0.5 / max(d, VISIBILITY_FLOOR);
 }

@@ -8,7 +8,6 @@ As if being lit and being seen had nothing to do with each other: darker than th
 most where both are grazing."""
 ---*/
 #include "lib/lambda_ggx.glsl"
-#include "lib/smith.glsl"
 
 // 0 on and below the horizon.
 float masking(vec3 l, vec3 v, vec3 h, float alpha) {
@@ -23,5 +22,5 @@ float visibility(vec3 l, vec3 v, vec3 h, float alpha) {
     if (l.z < 0.0 || v.z < 0.0) {
         return 0.0;
     }
-    return smithSeparable(l.z, v.z, cosLambdaGgx(l, alpha), cosLambdaGgx(v, alpha));
+    return 1.0 / ((l.z + slopeGgx(l, alpha)) * (v.z + slopeGgx(v, alpha)));
 }

@@ -1,6 +1,6 @@
 // The page's parts and how they hear of each other: state to picture, picture to panel.
 import { Camera } from "./camera";
-import { current, type Situation } from "./controls";
+import { current, type Situation, tabOf } from "./controls";
 import { LightbenchError } from "./core/errors";
 import { type Mesh, meshesFrom } from "./core/mesh";
 import { plan } from "./core/plan";
@@ -12,6 +12,7 @@ import type { Values } from "./fields";
 import { loadTypesetter } from "./formula";
 import { countInvalid } from "./invalid";
 import { Link } from "./link";
+import { recall, remember } from "./memory";
 import { Notices } from "./notices";
 import { focus, type Pose, ray } from "./orbit";
 import { Panel } from "./panel";
@@ -55,6 +56,7 @@ export class App {
       manifest: this.loading,
       scene: (name) => this.scene(name),
       meshes: (key) => this.mesh(key),
+      link: () => this.link.flush(),
       shown: () => this.view?.plan ?? null,
       ready: this.ready,
     });
@@ -87,7 +89,10 @@ export class App {
       drawn: (shown) => this.drawn(shown),
       timed: (timing) => this.status.timed(timing),
       metered: (radiance) => this.status.meter(radiance),
-      idle: () => this.status.invalid(countInvalid(this.view.renderer!.readLinear())),
+      idle: () => {
+        if (!this.status.settled) this.view.request();
+        this.status.invalid(countInvalid(this.view.renderer!.readLinear()));
+      },
       busy: (what) => this.busy(what),
       failed: (sentence) => this.notices.fail(sentence),
     });
@@ -97,12 +102,12 @@ export class App {
     this.panel = new Panel(byId("panel"), this.store, () => this.home());
     this.wipe = new Wipe(byId("frame"), {
       state: () => this.store.state,
-      size: () => this.view.plan!.size,
+      size: () => this.view.plan?.size ?? [1, 1],
       codes: () => this.view.renderer!.readDisplay(),
       say: (sentence) => this.notices.say(sentence),
       shown: (shown) => {
         byId("server").setAttribute("aria-pressed", `${shown}`);
-        byId("hint").hidden = true;
+        this.dismissHint();
       },
     });
     this.camera = new Camera(this.view.canvas, {
@@ -114,6 +119,7 @@ export class App {
       hover: (at) => this.view.meter(at),
     });
     addTools(this);
+    byId("hint").hidden = recall("moved", false);
     this.store.listen(() => this.follow());
     this.link.listen(() => this.manifest && this.takeLink());
   }
@@ -210,21 +216,30 @@ export class App {
 
   /** The choices that make the surface, as the bar shows them. */
   private summarise(now: Situation): void {
-    const folders = Object.entries(this.manifest.folders);
-    const titles = now.plan.settings.flatMap((setting) => {
-      const [name, folder] = folders.find(([, f]) => f.setting === setting)!;
-      if (!/\b[lvh]\b|VoH/.test(folder.function)) return [];
-      return this.manifest.files[`${name}/${current(now, setting)}.glsl`]?.meta.title ?? [];
+    const titles = Object.entries(this.manifest.folders).flatMap(([name, folder]) => {
+      const used = tabOf(folder) === "model" && now.plan.settings.includes(folder.setting);
+      const file = `${name}/${current(now, folder.setting)}.glsl`;
+      return used ? [[now.plan.settings.indexOf(folder.setting), file] as const] : [];
     });
-    byId("summary").textContent = titles.join(" · ");
+    titles.sort(([a], [b]) => a - b);
+    byId("summary").textContent = titles
+      .map(([, file]) => this.manifest.files[file]!.meta.title)
+      .join(" · ");
   }
 
   private move(pose: Pose): void {
     const state = this.store.state;
     const edits = { "camera.eye": [...pose.eye], "camera.target": [...pose.target] };
     const settings = trim(this.manifest, this.preset, { ...state.settings, ...edits });
-    byId("hint").hidden = true;
+    this.dismissHint();
     this.store.set({ ...state, settings }, "camera");
+  }
+
+  /** Said once: whoever has moved the camera knows how. */
+  private dismissHint(): void {
+    const hint = byId("hint");
+    if (!hint.hidden) remember("moved", true);
+    hint.hidden = true;
   }
 
   private point(x: number, y: number, twice: boolean): void {

@@ -66,6 +66,9 @@ export class Camera {
     surface.addEventListener("pointerleave", () => this.handle.hover(null));
     surface.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     surface.addEventListener("contextmenu", (event) => event.preventDefault());
+    surface.addEventListener("mousedown", (event) => {
+      if (event.button === 1) event.preventDefault(); // no scrolling by the middle button
+    });
     window.addEventListener("keydown", (event) => this.keyDown(event));
     window.addEventListener("keyup", (event) => this.keys.delete(event.key));
     window.addEventListener("blur", () => this.keys.clear());
@@ -88,13 +91,10 @@ export class Camera {
   }
 
   private press(event: PointerEvent): void {
-    this.flight += 1;
     this.surface.setPointerCapture(event.pointerId);
     this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     this.panning = event.button !== 0 || event.shiftKey;
     if (this.fingers.size === 1) this.wandered = 0;
-    this.surface.focus({ preventScroll: true });
-    event.preventDefault();
   }
 
   private drag(event: PointerEvent): void {
@@ -109,6 +109,7 @@ export class Camera {
     finger.y = event.clientY;
     this.wandered += Math.abs(dx) + Math.abs(dy);
     if (this.wandered < CLICK || (dx === 0 && dy === 0)) return;
+    this.flight += 1; // a hand on the camera ends its flight
     const height = this.surface.clientHeight;
     const pose = this.handle.pose();
     if (this.fingers.size > 1) this.pinch(pose, before, height);

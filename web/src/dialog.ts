@@ -1,5 +1,5 @@
 // Dialogs: scenes to choose from, the sources that run, the keys.
-import type { Manifest, Plan, Program } from "./core/types";
+import type { Manifest, Plan } from "./core/types";
 import { thumbnail } from "./data";
 import { make } from "./dom";
 import { address } from "./server";
@@ -86,15 +86,15 @@ export function showSources(plan: Plan): void {
   const gutter = make("pre", { class: "gutter", "aria-hidden": "true" });
   const code = make("pre", { class: "code", tabindex: 0, "aria-label": "Source" });
   const current = () => entries[Number(select.value)]!;
-  const copy = make(
-    "button",
-    { type: "button", click: () => void copyText(textOf(current()), copy) },
-    "Copy",
-  );
+  const click = async () => {
+    const { program, stage } = current();
+    if (await copyText(program[stage])) facts.textContent = "Copied";
+  };
+  const copy = make("button", { type: "button", click }, "Copy");
   const show = () => {
     const { program, stage } = current();
     const lines = stage === "vertex" ? program.vertex_lines : program.fragment_lines;
-    code.textContent = textOf(current());
+    code.textContent = program[stage];
     gutter.textContent = lines.join("\n");
     facts.textContent = `${lines.length} lines, as compiled`;
   };
@@ -107,25 +107,16 @@ export function showSources(plan: Plan): void {
   );
 }
 
-function textOf({ program, stage }: { program: Program; stage: "vertex" | "fragment" }): string {
-  return program[stage];
-}
-
-/** Put a text on the clipboard and say so on the button; where that is refused, offer it to copy. */
-export async function copyText(text: string, button: HTMLButtonElement): Promise<void> {
+/** Put a text on the clipboard; where that is refused, offer it to copy by hand. */
+export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
-    const label = button.dataset.label ?? button.textContent ?? "";
-    button.dataset.label = label;
-    const words = button.querySelector("span") ?? button;
-    words.textContent = "Copied";
-    setTimeout(() => {
-      words.textContent = label;
-    }, 1500);
+    return true;
   } catch {
     const field = make("textarea", { readonly: true, rows: 4, "aria-label": "Text to copy" }, text);
     open("Copy this", "copy", field);
     field.select();
+    return false;
   }
 }
 
@@ -156,7 +147,7 @@ export function showHelp(state: State): void {
   const about = make(
     "p",
     {},
-    "Pick a scene, pick how its surfaces answer light, and see the picture and what it costs. Every choice on the right is one small shader file; its formula and its source stand below its name. A control that the current choices do not use is not there.",
+    "Pick a scene, pick how its surfaces answer light, and see the picture and what it costs. Every choice in the panel is one small shader file; its formula and its source stand below its name. A control that the current choices do not use is not there.",
   );
   const set = Object.entries(state.settings).map(
     ([name, value]) => ` --set ${quoted(`${name}=${value}`)}`,

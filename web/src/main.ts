@@ -1,4 +1,5 @@
 // The page: loads the library and a scene, and ties state, picture and panel together.
+import "./style/picture.css";
 import "./style/page.css";
 import "./style/panel.css";
 import "./style/dialog.css";
@@ -6,23 +7,18 @@ import { App } from "./app";
 import { GraphicsError, LightbenchError } from "./core/errors";
 import { byId, make } from "./dom";
 
-/** One sentence in place of everything, for what no reload of a setting can mend. */
+const ADVICE =
+  "Lightbench draws with WebGL2 into float32 pictures (EXT_color_buffer_float). " +
+  "Update the browser, turn hardware acceleration on, or open this page on another device.";
+
+/** Sentences in place of the picture, for what no change of a setting can mend. */
 function fatal(error: unknown): void {
-  if (!(error instanceof LightbenchError)) throw error;
-  const advice =
-    error instanceof GraphicsError
-      ? "Lightbench draws with WebGL2 into float32 pictures (EXT_color_buffer_float). Update the browser, turn hardware acceleration on, or open this page on another device."
-      : null;
+  const message = error instanceof Error ? error.message : String(error);
+  const what = message.endsWith(".") ? message : `${message}.`;
+  const advice = error instanceof GraphicsError ? make("p", {}, ADVICE) : null;
   byId("progress").hidden = true;
-  byId("frame").replaceChildren(
-    make(
-      "div",
-      { class: "fatal" },
-      make("p", {}, `${error.message}.`.replace("..", ".")),
-      advice && make("p", {}, advice),
-    ),
-  );
+  byId("frame").replaceChildren(make("div", { class: "fatal" }, make("p", {}, what), advice));
+  if (!(error instanceof LightbenchError)) throw error;
 }
 
-const app = new App();
-app.start().catch(fatal);
+new App().start().catch(fatal);

@@ -6,14 +6,15 @@ export class Notices {
 
   constructor(private readonly root: HTMLElement) {}
 
-  /** A sentence that stays until it is dismissed. */
-  say(sentence: string): void {
+  /** A sentence that stays until it is dismissed, or for so many seconds. */
+  say(sentence: string, seconds = 0): void {
     if ([...this.root.children].some((notice) => notice.firstChild?.textContent === sentence))
       return;
     const notice = make("div", { class: "notice" }, make("p", {}, sentence));
     const click = () => notice.remove();
     notice.append(make("button", { type: "button", "aria-label": "Dismiss", click }, "×"));
     this.root.append(notice);
+    if (seconds > 0) setTimeout(click, seconds * 1000);
   }
 
   /** The one sentence about the picture itself; null once it is drawn again. */

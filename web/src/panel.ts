@@ -39,7 +39,7 @@ export class Panel {
       this.fit();
     });
     for (const [tab, container] of this.tabs.pages) {
-      const gui = new GUI({ container, title: TABS[tab] });
+      const gui = new GUI({ container, title: TABS[tab], touchStyles: 0 });
       this.pages.set(tab, { gui, key: "", rows: [], formulas: [] });
     }
     root.addEventListener("pointerdown", ({ target }) => {
@@ -112,7 +112,7 @@ export class Panel {
     const controls = surface.controls.filter(
       ({ name, optional }) => !optional || direct.has(name.split(".").at(-1)!),
     );
-    const title = `Surface: ${surface.title}`;
+    const title = `Material: ${surface.title}`;
     return [{ ...surface, id: "surface", tab: "model", title, controls }, ...groups];
   }
 
@@ -148,9 +148,10 @@ export class Panel {
   }
 
   private addCard(page: Page, fold: GUI, group: Group, symbols: string[]): void {
-    const card = choiceCard(group, symbols, (value) =>
-      put(this.store, this.situation(), group.id, value),
-    );
+    const card = choiceCard(group, symbols, (value) => {
+      put(this.store, this.situation(), group.id, value);
+      this.store.release();
+    });
     fold.$title.after(card.select);
     fold.$children.append(...card.content);
     if (card.formula) page.formulas.push(card.formula);

@@ -32,6 +32,8 @@ export interface Probe {
     size: [number, number],
     frames: number,
   ): Promise<{ milliseconds: number[]; renderer: string }>;
+  /** The page's address with the state as it is now. */
+  link(): string;
   /** The programs of the picture that is shown. */
   programs(): readonly Program[];
 }
@@ -47,6 +49,7 @@ export interface Bench {
   manifest: Promise<Manifest>;
   scene(name: string): Promise<Scene>;
   meshes: MeshLoader;
+  link(): string;
   shown(): Plan | null;
   ready: Promise<void>;
 }
@@ -64,6 +67,7 @@ export function makeProbe(bench: Bench): Probe {
   return {
     ready: bench.ready,
     plan: planned,
+    link: bench.link,
     programs: () => bench.shown()?.programs ?? [],
     async render(scene, settings = {}, size = [640, 480]) {
       const found = await planned(scene, settings, size);

@@ -6,6 +6,9 @@ import { make } from "./dom";
 import { Slider } from "./slider";
 import { symbolOf } from "./symbols";
 
+// A label of more letters than this stands above its widget.
+const LONG = 26;
+
 export interface Row {
   update(): void;
 }
@@ -44,6 +47,7 @@ export function addRow(fold: GUI, control: Control, access: Access, place: Place
   for (const event of ["pointerleave", "focusout"]) {
     row.addEventListener(event, () => place.light(null));
   }
+  row.classList.toggle("long", control.label.length > LONG && control.kind === "number");
   nameRow(controller, control, access, place.id);
   const update = () => {
     controller.updateDisplay();

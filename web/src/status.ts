@@ -7,6 +7,8 @@ import { spell } from "./number";
 
 // The median is that of so many last frames of one plan's programs and size.
 const FRAMES = 31;
+const ENOUGH = 3;
+const DEAR_MILLISECONDS = 600;
 // Screen readers hear the numbers at most this often.
 const SPEAK_MILLISECONDS = 4000;
 
@@ -14,6 +16,7 @@ export class Status {
   private readonly items = new Map<string, HTMLElement>();
   private times: number[] = [];
   private kind = "";
+  private warm = false;
   private spoken: ReturnType<typeof setTimeout> | undefined;
   private readonly voice = make("p", { class: "spoken", "aria-live": "polite" });
 
@@ -38,7 +41,10 @@ export class Status {
   drawn(plan: Plan, triangles: number): void {
     const [width, height] = plan.size as [number, number];
     const kind = `${width} ${height} ${plan.programs.map((program) => program.fragment).join()}`;
-    if (kind !== this.kind) this.times = [];
+    if (kind !== this.kind) {
+      this.times = [];
+      this.warm = false;
+    }
     this.kind = kind;
     this.show("size", `${width} × ${height}`);
     this.show("triangles", `${spell(triangles, 7)} triangles`);
@@ -51,12 +57,21 @@ export class Status {
   }
 
   timed(timing: Timing): void {
+    if (!this.warm && this.times.length === 1) {
+      this.times = []; // the first frame also made buffers and machine code
+      this.warm = true;
+    }
     this.times = [...this.times, timing.milliseconds].slice(-FRAMES);
     const count = this.times.length;
     const title = `fastest ${spell(Math.min(...this.times), 3)} ms, slowest ${spell(Math.max(...this.times), 3)} ms`;
     const source = count > 1 ? `${timing.source}, median of ${count}` : timing.source;
     this.show("time", `${spell(this.median, 3)} ms`, title);
     this.show("source", source);
+  }
+
+  /** Whether there are frames enough for a number that means something, or each is too dear. */
+  get settled(): boolean {
+    return this.times.length >= ENOUGH || (this.times[0] ?? 0) > DEAR_MILLISECONDS;
   }
 
   renderer(name: string): void {

@@ -19,7 +19,10 @@ export function addTools(app: App): void {
   button("server", () => app.wipe.show(!app.wipe.shown));
   button("sources", () => app.view.plan && showSources(app.view.plan));
   button("save", () => void save(app));
-  const share = button("share", (found) => void copyText(app.link.flush(), found));
+  const share = button("share", async () => {
+    const copied = await copyText(app.link.flush());
+    if (copied) app.notices.say("The link to this picture is on the clipboard.", 4);
+  });
   share.hidden = location.protocol === "file:"; // a link that nobody else could open
   button("help", () => showHelp(app.store.state));
   const follow = () => {

@@ -98,9 +98,10 @@ export class View {
       this.hooks.failed(null);
     } catch (error) {
       this.fail(error);
+    } finally {
+      this.hooks.busy(null);
+      this.drawing = false;
     }
-    this.hooks.busy(null);
-    this.drawing = false;
   }
 
   private async draw(renderer: Renderer): Promise<void> {

@@ -2,7 +2,7 @@
 import { LightbenchError } from "./core/errors";
 import { make } from "./dom";
 import { clamp, spell } from "./number";
-import { compare, fetchPicture, type ServerPicture } from "./server";
+import { address, compare, fetchPicture, type ServerPicture } from "./server";
 import type { State } from "./state";
 import { shortRenderer } from "./status";
 
@@ -41,6 +41,8 @@ export class Wipe {
   );
   private share = 0.5;
   private timer: ReturnType<typeof setTimeout> | undefined;
+  /** The picture that the server has been asked for. */
+  private asked = "";
   private request: AbortController | null = null;
 
   constructor(
@@ -68,12 +70,15 @@ export class Wipe {
     this.box.hidden = !shown;
     this.source.shown(shown);
     this.stop();
+    this.asked = "";
     if (shown) this.refresh();
   }
 
   /** The picture beside it has changed: the server's is stale until it has answered. */
   refresh(): void {
-    if (!this.shown) return;
+    const asked = address(this.source.state(), this.source.size());
+    if (!this.shown || asked === this.asked) return;
+    this.asked = asked;
     this.stop();
     this.box.classList.add("stale");
     this.timer = setTimeout(() => void this.load(), WAIT_MILLISECONDS);

@@ -265,7 +265,8 @@ function checkOneSource({ f0, ior }: Material, path: string): void {
 }
 
 function checkNotFlat({ scale }: SceneObject, path: string): void {
-  if (scale.some((s) => s <= 0)) throw new Problem(path, "scale: each factor must be above 0");
+  if (scale.some((s) => s < 1e-6))
+    throw new Problem(path, "scale: each factor must be at least 1e-6");
 }
 
 function checkCone({ inner, outer }: SpotLight, path: string): void {
