@@ -96,8 +96,8 @@ vec3 brdfCos(Material m, vec3 l, vec3 v) {
 #endif
 
 #if POSITIONAL_LIGHT_COUNT
-// A light nearer than this, in metres, stands on the surface: it has no direction and adds nothing.
-const float MIN_DISTANCE = 1e-12;
+// A light nearer than 1e-12 m stands on the surface: it has no direction and adds nothing.
+const float MIN_SQUARED_DISTANCE = 1e-24;
 #endif
 
 void main() {
@@ -118,8 +118,10 @@ void main() {
     {
 #if @{positional}
         vec3 offset = u_light@{index}_position - v_position;
-        float distance = length(offset);
-        vec3 toLight = offset / max(distance, MIN_DISTANCE);
+        float squared = dot(offset, offset);
+        float inverse = inversesqrt(max(squared, MIN_SQUARED_DISTANCE));
+        float distance = squared * inverse;
+        vec3 toLight = offset * inverse;
 #else
         vec3 toLight = u_light@{index}_direction;
 #endif
