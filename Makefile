@@ -77,7 +77,7 @@ system-chromium:
 	$(PYTHON) -m venv .venv
 
 .venv/.stamp-play: pyproject.toml | .venv/bin/pip
-	$(BIN)/pip install --quiet --disable-pip-version-check -e .
+	$(BIN)/pip install --quiet --disable-pip-version-check -e '.[atlas]'
 	@touch $@
 
 .venv/.stamp-dev: pyproject.toml | .venv/bin/pip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from typing import Any
 
 import pytest
@@ -19,6 +19,30 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         default=os.environ.get("CI") == "true",
         help="a skipped test fails (always so with CI=true)",
     )
+    parser.addoption(
+        "--all-mutants",
+        action="store_true",
+        default=os.environ.get("LIGHTBENCH_ALL_MUTANTS") == "1",
+        help="break the shaders in every way of tests/mutations.py, not in a few per file",
+    )
+
+
+NOTES = pytest.StashKey[list[str]]()
+
+
+@pytest.fixture
+def note(request: pytest.FixtureRequest) -> Callable[[str], None]:
+    """Adds a line to what the run reports at its end: a measured error, a rate."""
+    return request.config.stash.setdefault(NOTES, []).append
+
+
+def pytest_terminal_summary(
+    terminalreporter: pytest.TerminalReporter, config: pytest.Config
+) -> None:
+    if notes := config.stash.get(NOTES, []):
+        terminalreporter.section("measured")
+        for line in notes:
+            terminalreporter.line(line)
 
 
 def _fail_skip(report: pytest.TestReport | pytest.CollectReport, config: pytest.Config) -> None:

@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lightbench.assemble import Request, assemble
+from lightbench.exact.directions import Array, half_vector, unit
 from lightbench.glsl import EMPTY_LISTS, call
 from lightbench.library import Choice
 from lightbench.plan import define_values
 from lightbench.scene import Scene
 from lightbench.settings import resolve
-from tests.oracle_surface import Array, half_vector, unit
 from tests.support import library
 
 Single = NDArray[np.float32]
@@ -80,6 +80,16 @@ def pairs() -> tuple[Single, Single, Single]:
 def halves(l: Single, v: Single) -> Single:
     """Half vectors rounded once."""
     return single(half_vector(l.astype(np.float64), v.astype(np.float64)))
+
+
+def rays(distance: Array, offset: Array, radius: float = 1.0) -> tuple[Single, ...]:
+    """Rays from a distance to the centre of a sphere, in radii, that pass it at an offset."""
+    random = np.random.default_rng(9)
+    out = unit(random.normal(size=(len(distance), 3)))
+    side = unit(np.cross(out, random.normal(size=out.shape)))
+    origin = single(out * distance[:, None] * radius)
+    target = side * offset[:, None] * radius
+    return origin, single(unit(target - origin)), single([[0.0, 0.0, 0.0]]), single([radius])
 
 
 def material(roughness: Any, shininess: Any) -> dict[str, Single]:
@@ -183,6 +193,7 @@ EXPONENTS = 10.0 ** uniform(-1.0, 6.0)
 ANGLES = np.minimum(uniform(0.0, 6.0) / np.sqrt(EXPONENTS), 1.57)
 UNITS = tuple(single(uniform(0.01, 1.0, COUNT, k)[:, 0]) for k in (2, 3, 4, 5))
 GRAZING = pairs()
+RAYS = rays(10.0 ** uniform(-2.0, 4.0), uniform(0.0, 1.4, COUNT, 1)[:, 0])
 BASE = material([0.5], [1.0]) | {"metalness": single(np.linspace(0.0, 1.0, COUNT))}
 
 # Arguments for the functions of lib/, by file and name.
@@ -198,22 +209,26 @@ LIB: dict[tuple[str, str], Callable[[], Arguments]] = {
         np.concatenate([FACING, FACING]), np.concatenate([VIEWS, -FACING])),
     ("frame", "unitNormal"): lambda: (
         FACING * single(10.0 ** uniform(-12.0, 3.0, len(FACING), 1)), VIEWS),
+    ("erf", "erfc"): lambda: (single([*np.linspace(-4.0, 9.0, COUNT), 0.0, -20.0]),),
     ("fresnel", "fresnel0"): lambda: (UNITS[0] + 1, UNITS[1] + 2),
     ("fresnel", "pow5"): lambda: (UNITS[0],),
     ("invalid", "flagInvalid"): lambda: (single(ODD), single([[0.1, 0.2, 0.3]])),
     ("invalid", "invalid"): lambda: (single(ODD),),
     ("lambda_beckmann", "cosLambdaBeckmann"): lambda: (GRAZING[0], GRAZING[2]),
     ("lambda_beckmann", "lambdaBeckmann"): lambda: (around(1e-3, 5), UNITS[0]),
+    ("lambda_beckmann_exact", "cosLambdaBeckmannExact"): lambda: (GRAZING[0], GRAZING[2]),
+    ("lambda_beckmann_exact", "lambdaBeckmannExact"): lambda: (around(1e-3, 5), UNITS[0]),
     ("lambda_ggx", "slopeGgx"): lambda: (GRAZING[0], GRAZING[2]),
     ("lambda_ggx", "lambdaGgx"): lambda: (around(1e-3, 5), UNITS[0]),
     ("log1p", "log1p"): lambda: (
-        single([s * x for s in (-0.5, 1) for x in np.geomspace(1e-30, 1, 500)]),),
+        single([s * x for s in (-0.25, 0.25) for x in np.geomspace(1e-30, 1, 500)]),),
     ("luminance", "luminance"): lambda: (single(uniform(0.0, 2.0, COUNT, 3)),),
     ("smith", "smithCorrelated"): lambda: UNITS,
     ("smith", "smithSeparable"): lambda: UNITS,
     ("specular_power", "specularPower"): lambda: (
         single([*np.cos(ANGLES), 0, 0, -1, -1, 1]), single([*np.sin(ANGLES) ** 2, 1, 1, 0, 0, 0]),
         single([*EXPONENTS, 0, 1, 0, 1, 1e6])),
+    ("sphere", "sphereHit"): lambda: RAYS,
     ("spot", "spot"): lambda: (
         single([*uniform(-1.0, 1.0), 0.5, 0.5, 0.4999, 1, 1, -1]),
         single([*uniform(0.0, 1.0, COUNT, 1)[:, 0], 0.5, 0.2, 0.5, 1, 0, -1]),

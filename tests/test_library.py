@@ -92,6 +92,42 @@ def test_a_folder_without_its_default(tmp_path: Path) -> None:
         read_library(root)
 
 
+@pytest.mark.parametrize(
+    ("path", "of", "code", "what"),
+    [
+        (
+            "tonemaps/t.glsl",
+            "nope",
+            GOOD,
+            "'nope' is no file here that is none itself; there is: no",
+        ),
+        (
+            "tonemaps/t.glsl",
+            "reinhard_extended_textbook",
+            GOOD,
+            "is no file here that is none itself",
+        ),
+        ("tonemaps/t.glsl", "t", GOOD, "'t' is no file here"),
+        ("lib/t.glsl", "spot", "float other() { return 1.0; }", "no function of spot.glsl"),
+    ],
+)
+def test_a_textbook_form_of_nothing(
+    tmp_path: Path, path: str, of: str, code: str, what: str
+) -> None:
+    message = refused(tmp_path, path, TONE.format(front=f"textbook_of = '{of}'", code=code))
+    assert message.startswith(f"{path}:1: ")
+    assert what in message
+
+
+def test_a_textbook_form_is_no_default(tmp_path: Path) -> None:
+    text = TONE.format(front="textbook_of = 'none'", code=GOOD)
+    root = copy_of_shaders(tmp_path, {"tonemaps/t.glsl": text})
+    folder = root / "tonemaps/_choice.toml"
+    folder.write_text(folder.read_text().replace('"none"', '"t"'))
+    with pytest.raises(ShaderError, match=r"tonemaps/_choice\.toml:1: default 't' is no file here"):
+        read_library(root)
+
+
 def test_every_file_says_what_it_is() -> None:
     """Every choice carries its title and about; every formula its equation and source."""
     menu = library()

@@ -1,21 +1,20 @@
 """The `lightbench` command. What a person got wrong is one line on standard error and exit 2."""
 
 import json
-import os
-import re
 import socket
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar
+from typing import NoReturn
 
 import click
 
+from lightbench.cli_options import assignments_of, folders, size_of
+from lightbench.cli_stability import atlas, forms
 from lightbench.errors import LightbenchError, NotFoundError
 
 __all__ = ["main"]
 
-Command = TypeVar("Command", bound=Callable[..., Any])
 INTERRUPTED = 130
 
 
@@ -42,44 +41,6 @@ def _refuse(message: str) -> NoReturn:
     sys.exit(2)
 
 
-def _size(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, int]:
-    match = re.fullmatch(r"(\d{1,6})x(\d{1,6})", value, re.ASCII)
-    if match is None:
-        raise click.BadParameter(f"{value!r} is not WIDTHxHEIGHT in pixels, such as 640x480")
-    return int(match[1]), int(match[2])
-
-
-def _assignments(
-    _context: click.Context, _option: click.Parameter, values: tuple[str, ...]
-) -> dict[str, str]:
-    settings = {}
-    for value in values:
-        name, equals, text = value.partition("=")
-        if not name or not equals:
-            raise click.BadParameter(f"{value!r} is not NAME=VALUE, such as model=phong")
-        settings[name] = text
-    return settings
-
-
-def _use_folder(_context: click.Context, option: click.Parameter, value: str | None) -> None:
-    if value is not None:
-        os.environ[f"LIGHTBENCH_{str(option.name).upper()}"] = value
-
-
-def folders(command: Command) -> Command:
-    """Add --shaders and --scenes, which stand above the environment variables of that name."""
-    for name in ("scenes", "shaders"):
-        command = click.option(
-            f"--{name}",
-            type=click.Path(exists=True, file_okay=False),
-            envvar=f"LIGHTBENCH_{name.upper()}",
-            expose_value=False,
-            callback=_use_folder,
-            help=f"Folder of {name} to read instead of the built-in one.",
-        )(command)
-    return command
-
-
 @click.group(invoke_without_command=True, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="lightbench", message="%(prog)s %(version)s")
 @folders
@@ -94,10 +55,15 @@ def cli(context: click.Context) -> None:
 @click.argument("scene")
 @click.option("-o", "--output", metavar="FILE", help=".png, .npy or .exr; default: NAME.png here.")
 @click.option(
-    "--size", metavar="WxH", default="640x480", show_default=True, callback=_size, help="In pixels."
+    "--size",
+    metavar="WxH",
+    default="640x480",
+    show_default=True,
+    callback=size_of,
+    help="In pixels.",
 )
 @click.option(
-    "--set", "settings", metavar="NAME=VALUE", multiple=True, callback=_assignments,
+    "--set", "settings", metavar="NAME=VALUE", multiple=True, callback=assignments_of,
     help="Of `lightbench options`, or the scene's own, as camera.fov=60; the last one counts.",
 )  # fmt: skip
 @click.option("--view", metavar="VIEW", help="What to show of the picture, as --set view=VIEW.")
@@ -234,6 +200,9 @@ def bake(folder: Path) -> None:
 
     click.echo(f"{folder}: {bake_to(folder)} files; serve them with any web server")
 
+
+cli.add_command(atlas)
+cli.add_command(forms)
 
 if __name__ == "__main__":
     main()

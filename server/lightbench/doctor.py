@@ -63,6 +63,7 @@ def checks() -> Iterator[Check]:
     yield _files("scenes", lambda: f"{len(scenes(scenes_folder()))} in {scenes_folder()}")
     yield _playground()
     yield _chromium()
+    yield _matplotlib()
 
 
 def _packages() -> Iterator[Check]:
@@ -126,6 +127,15 @@ def _chromium() -> Check:
     paths = [path for path in map(shutil.which, CHROMIUM) if path]
     found = paths[0] if paths else "not found; only the browser tests need it"
     return Check("Chromium", bool(paths), found, _apt("chromium"), needed=False)
+
+
+def _matplotlib() -> Check:
+    try:
+        found, ok = metadata.version("matplotlib"), True
+    except metadata.PackageNotFoundError:
+        found, ok = "not found; only `lightbench atlas` draws with it", False
+    command = f"{sys.executable} -m pip install 'matplotlib>=3.10,<4'"
+    return Check("matplotlib", ok, found, command, needed=False)
 
 
 def _apt(packages: str) -> str:

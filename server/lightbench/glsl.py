@@ -1,29 +1,27 @@
 """Run one GLSL function of the shader folder on the GPU, a row of arguments at a time."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-import moderngl
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lightbench.assemble import Request, Source, assemble
+from lightbench.contract import argument_types
 from lightbench.errors import LightbenchError, NotFoundError
-from lightbench.library import Library, argument_types, read_library
+from lightbench.glsl_run import COMPONENTS, RETURNS, Prepared, run
+from lightbench.half import HALF, halved
+from lightbench.library import Library, read_library
 from lightbench.paths import shaders_folder
 from lightbench.plan import define_values
-from lightbench.render import on_gl_thread, renderer, set_uniform
+from lightbench.render import on_gl_thread
 from lightbench.scene import Scene
 from lightbench.settings import Resolved, Setting, resolve
 
 __all__ = ["call"]
-
-WIDTH = 4096
-COMPONENTS = {"float": 1, "vec2": 2, "vec3": 3, "vec4": 4}
-RETURNS = COMPONENTS | {"bool": 1, "int": 1}
-SWIZZLE = {1: ".r", 2: ".rg", 3: ".rgb", 4: ""}
-PADDING = {1: ", 0.0, 0.0, 0.0", 2: ", 0.0, 0.0", 3: ", 0.0", 4: ""}
 
 Argument = ArrayLike | Mapping[str, ArrayLike]
 
@@ -32,40 +30,85 @@ def call(
     file: str,
     function: str,
     *arrays: Argument,
-    settings: Mapping[str, Setting] | None = None,
+    settings: Mapping[str, Setting | NDArray[Any]] | None = None,
     shaders: Path | None = None,
+    half: bool = False,
 ) -> NDArray[np.float32]:
     """Evaluate `function` of `file` (a path in the shader folder) for each row of the arrays.
 
     A float argument is a float32 array (N,), a vecK argument (N, K), a struct argument a dict
     {field: array}; a lone row stands for all. `settings` picks the choices that the file includes
-    and sets its parameters. Returns float32 (N,) or (N, K); bool and int results come as floats.
+    and sets its parameters; a parameter given as an array (N,) has one value a row. With `half`
+    every named number is rounded to half precision. Returns float32 (N,) or (N, K); bool and int
+    results come as floats.
 
     Raises NotFoundError for an unknown file or function, LightbenchError for arrays that do not
     fit, ShaderError where the source does not compile.
     """
     library = read_library(shaders or shaders_folder())
+    prepared = prepare(library, file, function, arrays, settings or {}, half=half)
+    result = on_gl_thread(run, prepared)
+    return result[:, 0] if prepared.components == 1 else result[:, : prepared.components]
+
+
+def prepare(
+    library: Library,
+    file: str,
+    function: str,
+    arrays: Sequence[Argument],
+    given: Mapping[str, Setting | NDArray[Any]],
+    *,
+    half: bool = False,
+) -> Prepared:
+    """What `call` runs: the assembled source and the arguments, seen to fit the function."""
     if file not in library.files:
         raise NotFoundError(f"no shader file '{file}'; there is: {', '.join(library.files)}")
-    folder, name = Path(file).parent.as_posix(), Path(file).stem
-    own = {library.folders[folder].setting: name} if folder in library.folders else {}
-    resolved = resolve(library, Scene(materials={}, objects={}), {**own, **(settings or {})})
-    values = dict(define_values(library, resolved))
-    source = assemble(library, Request(file, "FRAGMENT", resolved.choices, values, EMPTY_LISTS))
+    by_row = {name: value for name, value in given.items() if isinstance(value, np.ndarray)}
+    single = {name: value for name, value in given.items() if not isinstance(value, np.ndarray)}
+    source, resolved = source_of(library, file, single)
+    source = _variables(replace(source, text=halved(source.text)) if half else source, by_row)
     returned, types = _signature(library, file, function)
     columns = _columns(source, types, arrays, function)
+    columns |= {f"u_{name}": _column(by_row[name], "float", name) for name in by_row}
     rows = {len(column) for column in columns.values()} - {1}
     if len(rows) > 1:
         raise LightbenchError(f"{function}: arrays of different lengths: {sorted(rows)}")
     count = rows.pop() if rows else 1
-    text, lines = _program(source, returned, types, columns, function)
-    result = on_gl_thread(_run, text, lines, columns, resolved, count)
-    return result[:, 0] if RETURNS[returned] == 1 else result[:, : RETURNS[returned]]
+    return Prepared(
+        source, resolved, function, returned, types, columns, count, HALF if half else ""
+    )
 
 
 # The member of a struct that has none, in lib/material.glsl: GLSL has no empty struct.
 NO_FIELD = "unused"
 EMPTY_LISTS = {"LIGHTS": (), "POSITIONAL_LIGHTS": (), "SPOT_LIGHTS": ()}
+
+
+def source_of(
+    library: Library, file: str, settings: Mapping[str, Setting]
+) -> tuple[Source, Resolved]:
+    """A file assembled as its own folder's choice, and the settings that it was done under."""
+    folder, name = Path(file).parent.as_posix(), Path(file).stem
+    own = {library.folders[folder].setting: name} if folder in library.folders else {}
+    resolved = resolve(library, Scene(materials={}, objects={}), {**own, **settings})
+    values = dict(define_values(library, resolved))
+    request = Request(file, "FRAGMENT", resolved.choices, values, EMPTY_LISTS)
+    return assemble(library, request), resolved
+
+
+def material_fields(library: Library, source: Source) -> set[str]:
+    """The fields of a Material that an assembled source reads."""
+    return {field for file in source.files for field in library.files[file].meta.material}
+
+
+def _variables(source: Source, names: Iterable[str]) -> Source:
+    """The source with the uniforms of parameters made variables, for main to set row by row."""
+    text = source.text
+    for name in names:
+        if source.uniforms.get(f"u_{name}") != "float":
+            raise LightbenchError(f"{name}: no float parameter that this code reads")
+        text = text.replace(f"uniform float u_{name};", f"float u_{name};", 1)
+    return replace(source, text=text)
 
 
 def _signature(library: Library, file: str, function: str) -> tuple[str, tuple[str, ...]]:
@@ -88,7 +131,7 @@ def _struct(source: Source, name: str) -> dict[str, str]:
 
 
 def _columns(
-    source: Source, types: tuple[str, ...], arrays: tuple[Argument, ...], function: str
+    source: Source, types: tuple[str, ...], arrays: Sequence[Argument], function: str
 ) -> dict[str, NDArray[np.float32]]:
     """One (rows, components) array for each scalar, vector or struct field."""
     if len(arrays) != len(types):
@@ -116,98 +159,3 @@ def _column(given: object, kind: str, where: str) -> NDArray[np.float32]:
         return array.reshape(-1, size)
     wanted = "(N,)" if size == 1 else f"(N, {size})"
     raise LightbenchError(f"{where}: a {kind} is {wanted}, not {array.shape}")
-
-
-def _sampler(column: str) -> str:
-    return "u_call_" + column.replace(".", "_")
-
-
-def _program(
-    source: Source,
-    returned: str,
-    types: tuple[str, ...],
-    columns: Mapping[str, NDArray[np.float32]],
-    function: str,
-) -> tuple[str, tuple[str, ...]]:
-    """The source with a main that calls the function on the row of this pixel."""
-    samplers = [f"uniform highp sampler2D {_sampler(c)};" for c in columns]
-    locals_ = [f"  {kind} a{index};" for index, kind in enumerate(types)]
-    fetches = [
-        f"  {column} = texelFetch({_sampler(column)}, "
-        f"{'row' if len(array) > 1 else 'ivec2(0)'}, 0){SWIZZLE[array.shape[1]]};"
-        for column, array in columns.items()
-    ]
-    result = f"{function}({', '.join(f'a{i}' for i in range(len(types)))})"
-    if returned in ("bool", "int"):
-        result = f"float({result})"
-    main = [
-        *samplers, "out vec4 o_result;", "void main() {", "  ivec2 row = ivec2(gl_FragCoord.xy);",
-        *locals_, *fetches, f"  o_result = vec4({result}{PADDING[RETURNS[returned]]});", "}", "",
-    ]  # fmt: skip
-    where = (*source.lines, *(f"call:{number}" for number in range(1, len(main) + 1)))
-    return source.text + "\n".join(main), where
-
-
-def _run(
-    text: str,
-    lines: tuple[str, ...],
-    columns: Mapping[str, NDArray[np.float32]],
-    resolved: Resolved,
-    count: int,
-) -> NDArray[np.float32]:
-    owner = renderer()
-    owner.make_room()
-    context = owner.context
-    program = owner.program({
-        "vertex": SCREEN, "fragment": text, "vertex_lines": [], "fragment_lines": list(lines),
-        "attributes": [],
-    })  # fmt: skip
-    _set_parameters(program, resolved, {_sampler(name) for name in columns})
-    size = (min(count, WIDTH), -(-count // WIDTH))
-    if max(size) > owner.limit:
-        raise LightbenchError(f"{count} rows are beyond the {WIDTH * owner.limit} of one call")
-    with context.scope(framebuffer := context.simple_framebuffer(size, 4, dtype="f4")):
-        textures = []
-        for unit, (name, column) in enumerate(columns.items()):
-            textures.append(_texture(context, column, size))
-            textures[-1].use(unit)
-            set_uniform(program, _sampler(name), unit)
-        context.enable_only(moderngl.NOTHING)
-        owner.vertices(program, None).render(moderngl.TRIANGLES, vertices=3)
-        raw = framebuffer.read(components=4, dtype="f4")
-    for item in (*textures, *framebuffer.color_attachments, framebuffer):
-        item.release()
-    return np.frombuffer(raw, np.float32).reshape(-1, 4)[:count].copy()
-
-
-def _set_parameters(program: moderngl.Program, resolved: Resolved, own: set[str]) -> None:
-    for name in program:
-        if name in own or not isinstance(program[name], moderngl.Uniform):
-            continue
-        value = resolved.values.get(name.removeprefix("u_"))
-        if value is None:
-            raise LightbenchError(
-                f"uniform {name} has no value: make it an argument of the function, or declare it "
-                f"in front matter as [parameters.{name.removeprefix('u_')}]"
-            )
-        set_uniform(program, name, list(value) if isinstance(value, tuple) else [value])
-
-
-def _texture(
-    context: moderngl.Context, column: NDArray[np.float32], size: tuple[int, int]
-) -> moderngl.Texture:
-    if len(column) == 1:
-        size = (1, 1)
-    data = np.zeros((size[0] * size[1], 4), np.float32)
-    data[: len(column), : column.shape[1]] = column
-    texture = context.texture(size, 4, data.tobytes(), dtype="f4")
-    texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
-    return texture
-
-
-SCREEN = """#version 300 es
-void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  gl_Position = vec4(corner * 4.0 - 1.0, 0.0, 1.0);
-}
-"""

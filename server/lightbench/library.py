@@ -12,6 +12,7 @@ from typing import Annotated, Literal, Self, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
+from lightbench.contract import check_contract
 from lightbench.errors import LightbenchError, ShaderError
 from lightbench.expression import Value, evaluate
 from lightbench.shapes import ICOSPHERE_ERRORS
@@ -34,7 +35,6 @@ MATERIAL_FIELDS = {
 Matter = TypeVar("Matter", bound=BaseModel)
 _FRONT_MATTER = re.compile(r"\s*/\*---[ \t]*\n(.*?)---\*/", re.DOTALL)
 _COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
-_FUNCTION = re.compile(r"^[ \t]*(\w+)\s+(\w+)\s*\(([^()]*)\)\s*\{", re.MULTILINE)
 _TOML_LINE = re.compile(r"at line (\d+)")
 
 
@@ -84,6 +84,7 @@ class Choice(_Strict):
     unit: str = ""
     about: str = ""
     breaks: dict[str, str] = {}
+    textbook_of: str = ""
     material: tuple[str, ...] = ()
     reads: tuple[str, ...] = ()
     parameters: dict[str, Parameter] = {}
@@ -150,6 +151,11 @@ class Library(_Strict):
         prefix = f"{folder}/"
         return sorted(p[len(prefix) : -len(".glsl")] for p in self.files if p.startswith(prefix))
 
+    def stable(self, folder: str) -> list[str]:
+        """Those of a folder's choices that are no textbook form, kept for comparison."""
+        metas = {name: self.files[f"{folder}/{name}.glsl"].meta for name in self.choices(folder)}
+        return [name for name, meta in metas.items() if not meta.textbook_of]
+
     def folder_of(self, setting: str) -> str:
         """The folder that a choice setting picks from."""
         return next(name for name, folder in self.folders.items() if folder.setting == setting)
@@ -185,15 +191,32 @@ def _read_library(root: Path, _stamp: tuple[tuple[str, int], ...]) -> Library:
     paths = sorted(root.rglob("*.glsl"))
     files = {p.relative_to(root).as_posix(): _read_file(root, p, folders) for p in paths}
     library = Library(folders=folders, files=files)
+    _check_textbooks(library)
     _check_defaults(library)
     _check_parameters(library)
     return library
 
 
+def _check_textbooks(library: Library) -> None:
+    """A textbook form stands beside a form of the same folder that it shares a function with."""
+    for path, file in library.files.items():
+        if not file.meta.textbook_of:
+            continue
+        folder = path.rpartition("/")[0]
+        beside = library.files.get(f"{folder}/{file.meta.textbook_of}.glsl")
+        if beside is None or beside.meta.textbook_of:
+            raise ShaderError(
+                f"{path}:1: textbook_of '{file.meta.textbook_of}' is no file here that is none "
+                f"itself; there is: {', '.join(library.stable(folder))}"
+            )
+        if not file.functions.keys() & beside.functions.keys():
+            raise ShaderError(f"{path}:1: it defines no function of {file.meta.textbook_of}.glsl")
+
+
 def _check_defaults(library: Library) -> None:
     for name, folder in library.folders.items():
-        if folder.default not in library.choices(name):
-            allowed = ", ".join(library.choices(name)) or "nothing: the folder is empty"
+        if folder.default not in library.stable(name):
+            allowed = ", ".join(library.stable(name)) or "nothing: the folder is empty"
             raise ShaderError(
                 f"{name}/_choice.toml:1: default '{folder.default}' is no file here; "
                 f"there is: {allowed}"
@@ -246,7 +269,10 @@ def _read_file(root: Path, path: Path, folders: dict[str, Folder]) -> ShaderFile
     meta = _validated(model, _toml(name, block, offset), name, block, offset)
     if (folder in folders or render_pass) and not meta.title:
         raise ShaderError(f"{name}:{offset + 1}: the front matter needs a title")
-    functions = _check_contract(name, code, folders.get(folder))
+    contract = folders.get(folder)
+    functions = check_contract(
+        name, code, contract.function if contract else "", contract.optional if contract else ()
+    )
     return ShaderFile(meta=meta, code=code, functions=functions)
 
 
@@ -284,34 +310,3 @@ def _line_of(block: str, keys: list[str]) -> int:
             if pattern.search(line):
                 return number
     return 1
-
-
-def _signature(text: str) -> tuple[str, str, tuple[str, ...]]:
-    """(return type, name, argument types) of a GLSL signature."""
-    match = re.fullmatch(r"\s*(\w+)\s+(\w+)\s*\(([^()]*)\)\s*", text)
-    if match is None:
-        raise LightbenchError(f"'{text}' is no GLSL signature")
-    return match[1], match[2], argument_types(match[3])
-
-
-def argument_types(arguments: str) -> tuple[str, ...]:
-    """The types of a GLSL argument list, qualifiers left out."""
-    words = [[w for w in a.split() if w not in ("in", "const")] for a in arguments.split(",")]
-    return tuple(w[0] for w in words if w and w != ["void"])
-
-
-def _check_contract(name: str, code: str, folder: Folder | None) -> dict[str, int]:
-    """Line of every function that the file defines, once its folder's contract is seen to hold."""
-    found: dict[str, int] = {}
-    types: dict[str, tuple[str, str, tuple[str, ...]]] = {}
-    for match in _FUNCTION.finditer(code):
-        if match[1] not in ("else", "return"):
-            found[match[2]] = code[: match.start(2)].count("\n") + 1
-            types[match[2]] = (match[1], match[2], argument_types(match[3]))
-    for text in (folder.function, *folder.optional) if folder else ():
-        wanted = _signature(text)
-        if wanted[1] not in found and folder and text == folder.function:
-            raise ShaderError(f"{name}:1: the file must define {text}")
-        if wanted[1] in found and types[wanted[1]] != wanted:
-            raise ShaderError(f"{name}:{found[wanted[1]]}: {wanted[1]} must be {text}")
-    return found

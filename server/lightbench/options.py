@@ -14,7 +14,9 @@ __all__ = ["THUMB", "listing", "manifest", "options", "preset", "scenes", "versi
 
 # Width and height of a preset's picture in the menu.
 THUMB = (192, 144)
-MENU_FIELDS = {"title", "about", "equation", "source", "domain", "unit", "breaks", "parameters"}
+MENU_FIELDS = {
+    "title", "about", "equation", "source", "domain", "unit", "breaks", "parameters", "textbook_of",
+}  # fmt: skip
 
 
 def version() -> str:

@@ -33,6 +33,8 @@ NEAREST = 1e-3
 DIELECTRIC_F0 = 0.04
 MIN_ALPHA = 1e-3
 MAX_SHININESS = 1e6
+# Brightest light, that of a scene's limit: a flux through no more than a ray would be infinite.
+MAX_CANDELA = 1e30
 
 
 def float32(values: Iterable[float]) -> list[float]:
@@ -135,12 +137,19 @@ def _light(light: PointLight | DirectionalLight | SpotLight, eye: Sequence[float
     if isinstance(light, SpotLight):
         inner, outer = (math.cos(a * math.pi / 180) for a in (light.inner, light.outer))
         # The square of a ramp from outer to inner integrates to a third of their difference.
-        solid_angle = 2 * math.pi * (1 - inner + (inner - outer) / 3)
+        full, edge = (_versine(a) for a in (light.inner, light.outer))
+        solid_angle = 2 * math.pi * (full + (edge - full) / 3)
         values |= {"axis": list(matrix.normalize(light.direction))}
         values |= {"cos_inner": [inner], "cos_outer": [outer]}
     if light.unit == "lumen":
-        candela = candela / solid_angle if solid_angle > 0 else 0.0
+        candela = min(candela / solid_angle, MAX_CANDELA) if solid_angle > 0 else 0.0
     return values | {"intensity": [c * candela for c in light.color]}
+
+
+def _versine(degrees: float) -> float:
+    """1 - cos without the digits that this loses for a narrow cone."""
+    sine = math.sin(degrees * math.pi / 180 / 2)
+    return 2 * sine * sine
 
 
 def _material(material: Material) -> Values:

@@ -20,9 +20,6 @@ float masking(vec3 l, vec3 v, vec3 h, float alpha) {
 
 // Towards the horizon of one direction 1 / (2 alpha) over the other's cosine.
 float visibility(vec3 l, vec3 v, vec3 h, float alpha) {
-    if (l.z < 0.0 || v.z < 0.0) {
-        return 0.0;
-    }
     float d = v.z * slopeGgx(l, alpha) + l.z * slopeGgx(v, alpha);
-    return 0.5 / max(d, VISIBILITY_FLOOR);
+    return l.z < 0.0 || v.z < 0.0 ? 0.0 : 0.5 / max(d, VISIBILITY_FLOOR);
 }

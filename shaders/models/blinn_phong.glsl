@@ -21,12 +21,9 @@ energy      = "the highlight is not normalised, and f grows without bound as n.l
 // brdf * l.z: here the division by n.l has cancelled, so the horizon is no 0/0.
 // Shininess 0 gives 1 wherever lit.
 vec3 brdfCos(Material m, vec3 l, vec3 v) {
-    if (l.z <= 0.0 || v.z < 0.0) {
-        return vec3(0.0);
-    }
     vec3 h = halfVector(l, v);
     float lobe = specularPower(h.z, dot(h.xy, h.xy), m.shininess);
-    return m.kd * l.z + m.ks * lobe;
+    return l.z > 0.0 && v.z >= 0.0 ? m.kd * l.z + m.ks * lobe : vec3(0.0);
 }
 
 // Infinite on the horizon: held at the value for l.z = GRAZING_COS.

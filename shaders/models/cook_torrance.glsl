@@ -43,20 +43,18 @@ float facetsSeen(vec3 l, vec3 v, vec3 h, float alpha) {
 
 // 0 for l on or below the horizon; at v.z = 0 the limit, which a masking with visibility has.
 vec3 brdf(Material m, vec3 l, vec3 v) {
-    if (l.z <= 0.0 || v.z < 0.0) {
-        return vec3(0.0);
-    }
     vec3 h = halfVector(l, v);
     float alpha = alphaFromRoughness(m.roughness);
     vec3 F = fresnel(m, dot(v, h));
     vec3 facets = F * (distribution(h, alpha) * facetsSeen(l, v, h, alpha));
 #if THESIS_BLEND
-    return blendWithBase(m, facets);
+    vec3 f = blendWithBase(m, facets);
 #elif MIRRORS
-    return facets;
+    vec3 f = facets;
 #else
-    return overBase(m, F, facets);
+    vec3 f = overBase(m, F, facets);
 #endif
+    return l.z > 0.0 && v.z >= 0.0 ? f : vec3(0.0);
 }
 
 vec3 brdfCos(Material m, vec3 l, vec3 v) {

@@ -21,14 +21,11 @@ energy      = "the highlight is not normalised, and f grows without bound as n.l
 // The squared sine between the unit vectors r and v comes from their chord e = r - v, whose digits
 // survive where r.v rounds to 1: sin^2 = |e|^2 (1 - |e|^2 / 4). Shininess 0 gives 1 wherever lit.
 vec3 brdfCos(Material m, vec3 l, vec3 v) {
-    if (l.z <= 0.0 || v.z < 0.0) {
-        return vec3(0.0);
-    }
     vec3 r = vec3(-l.xy, l.z);
     vec3 e = r - v;
     float chord2 = dot(e, e);
     float lobe = specularPower(dot(r, v), chord2 * (1.0 - 0.25 * chord2), m.shininess);
-    return m.kd * l.z + m.ks * lobe;
+    return l.z > 0.0 && v.z >= 0.0 ? m.kd * l.z + m.ks * lobe : vec3(0.0);
 }
 
 // Infinite on the horizon where the lobe reaches it: held at the value for l.z = GRAZING_COS.

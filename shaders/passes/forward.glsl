@@ -126,21 +126,20 @@ void main() {
         vec3 toLight = u_light@{index}_direction;
 #endif
         vec3 l = toLight * frame;
-        if (l.z > 0.0) {
-            Light light;
-            light.intensity = u_light@{index}_intensity;
+        Light light;
+        light.intensity = u_light@{index}_intensity;
 #if @{positional}
 #for LIGHT_FIELDS
-            light.@{name} = u_light@{index}_@{name};
+        light.@{name} = u_light@{index}_@{name};
 #endfor
-            light.intensity *= attenuation(distance, light);
+        light.intensity *= attenuation(distance, light);
 #endif
 #if @{spot}
-            light.intensity *= spot(-dot(toLight, u_light@{index}_axis),
-                                    u_light@{index}_cos_inner, u_light@{index}_cos_outer);
+        light.intensity *= spot(-dot(toLight, u_light@{index}_axis),
+                                u_light@{index}_cos_inner, u_light@{index}_cos_outer);
 #endif
-            radiance += brdfCos(m, l, v) * light.intensity * shadow(v_position);
-        }
+        vec3 reflected = brdfCos(m, l, v) * light.intensity * shadow(v_position);
+        radiance += l.z > 0.0 ? reflected : vec3(0.0);
     }
 #endfor
 

@@ -2,7 +2,7 @@
 title = "Supersampling resolve"
 about = """
 The mean of samples x samples linear values per pixel. An invalid sample is handed on whole, so \
-that averaging cannot hide it."""
+that averaging cannot hide it; the mean of finite ones is finite."""
 draw  = "screen"
 reads = ["radiance"]
 when  = "samples > 1"
@@ -24,9 +24,13 @@ label   = "Samples per pixel and axis"
 
 out vec4 o_linear;
 
+// Each value is weighted before it is added: the sum of values near float32's largest overflows,
+// their mean does not.
+const float WEIGHT = 1.0 / float(SAMPLES * SAMPLES);
+
 void main() {
     ivec2 corner = ivec2(gl_FragCoord.xy) * SAMPLES;
-    vec3 sum = vec3(0.0);
+    vec3 mean = vec3(0.0);
     for (int y = 0; y < SAMPLES; ++y) {
         for (int x = 0; x < SAMPLES; ++x) {
             vec3 radiance = texelFetch(u_radiance, corner + ivec2(x, y), 0).rgb;
@@ -34,10 +38,10 @@ void main() {
                 o_linear = vec4(radiance, 1.0);
                 return;
             }
-            sum += radiance;
+            mean += WEIGHT * radiance;
         }
     }
-    o_linear = vec4(sum / float(SAMPLES * SAMPLES), 1.0);
+    o_linear = vec4(mean, 1.0);
 }
 
 #endif

@@ -85,8 +85,8 @@ export function ray(pose: Pose, fov: number, aspect: number, x: number, y: numbe
 
 function axes(up: readonly number[]) {
   const unit = vec3.normalize(vec3.create(), vector(up));
-  const helper = Math.abs(unit[1]) < 0.9 ? [0, 1, 0] : [0, 0, 1];
-  const right = vec3.cross(vec3.create(), unit, vector(helper));
+  const other = Math.abs(unit[1]) < 0.9 ? [0, 1, 0] : [0, 0, 1];
+  const right = vec3.cross(vec3.create(), unit, vector(other));
   vec3.normalize(right, right);
   return { right, up: unit, forward: vec3.cross(vec3.create(), right, unit) };
 }

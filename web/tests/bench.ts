@@ -18,7 +18,7 @@ function parameter(given: Partial<Parameter>): Parameter {
 }
 
 function choice(title: string, given: Partial<Choice> = {}): Choice {
-  const none = { domain: {}, breaks: {}, material: [], reads: [], parameters: {} };
+  const none = { textbook_of: "", domain: {}, breaks: {}, material: [], reads: [], parameters: {} };
   return { title, equation: "", source: "", unit: "", about: "", ...none, ...given };
 }
 

@@ -91,7 +91,7 @@ function fileOf(given: GivenFile | Lines): ShaderFile {
     functions,
     meta: {
       ...{ title: "", equation: "", source: "", domain: {}, unit: "", about: "", breaks: {} },
-      ...{ material: [], reads: [] },
+      ...{ textbook_of: "", material: [], reads: [] },
       ...meta,
       parameters: Object.fromEntries(parameters),
     },

@@ -65,6 +65,7 @@ export interface Pass {
   breaks: {
     [k: string]: string;
   };
+  textbook_of: string;
   material: string[];
   reads: string[];
   parameters: {
@@ -112,6 +113,7 @@ export interface Choice {
   breaks: {
     [k: string]: string;
   };
+  textbook_of: string;
   material: string[];
   reads: string[];
   parameters: {

@@ -22,6 +22,8 @@ const NEAREST = 1e-3;
 const DIELECTRIC_F0 = 0.04;
 const MIN_ALPHA = 1e-3;
 const MAX_SHININESS = 1e6;
+// Brightest light, that of a scene's limit: a flux through no more than a ray would be infinite.
+const MAX_CANDELA = 1e30;
 
 /** Each value rounded to float32, -0 as 0. */
 export function float32(values: matrix.Vector): number[] {
@@ -137,15 +139,25 @@ function lightFields(light: Light, eye: matrix.Vector): Fields {
     const inner = Math.cos((light.inner * Math.PI) / 180);
     const outer = Math.cos((light.outer * Math.PI) / 180);
     // The square of a ramp from outer to inner integrates to a third of their difference.
-    solidAngle = 2 * Math.PI * (1 - inner + (inner - outer) / 3);
+    const full = versine(light.inner);
+    const edge = versine(light.outer);
+    solidAngle = 2 * Math.PI * (full + (edge - full) / 3);
     fields.axis = matrix.normalize(light.direction);
     fields.cos_inner = [inner];
     fields.cos_outer = [outer];
   }
   let candela = light.intensity;
-  if (light.unit === "lumen") candela = solidAngle > 0 ? candela / solidAngle : 0;
+  if (light.unit === "lumen") {
+    candela = solidAngle > 0 ? Math.min(candela / solidAngle, MAX_CANDELA) : 0;
+  }
   fields.intensity = light.color.map((c) => c * candela);
   return fields;
+}
+
+/** 1 - cos without the digits that this loses for a narrow cone. */
+function versine(degrees: number): number {
+  const sine = Math.sin((degrees * Math.PI) / 180 / 2);
+  return 2 * sine * sine;
 }
 
 /**

@@ -1,67 +1,21 @@
-"""Float64 references of how a surface answers light: see oracle.py.
+"""Microfacets in float64: distributions, maskings, Fresnel terms.
 
-Directions are unit vectors in the shading frame; vectors rounded to float32 are made unit again
-where a formula needs sines from cosines. Where a value is infinite or undefined the shader file's
-documented limit is returned.
+Vectors rounded to float32 are made unit again where a formula needs sines from cosines. Where a
+value is infinite or undefined the shader file's documented limit is returned.
 """
 # ruff: noqa: E741  (l is the direction to the light)
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Material = Mapping[str, Array]
+from lightbench.exact.directions import GRAZING_COS, HORIZON, Array, Material, column, dot, unit
+from lightbench.exact.terms import erfc
 
 ALPHA_MIN = 1e-4  # lib/alpha.glsl: narrower lobes are taken as this wide
-GRAZING_COS = 1e-7  # lib/constants.glsl: lowest cosine that is divided by
-HORIZON = 1e-100  # a cosine so small that float64 gives the limit for 0 to all digits
-
-
-def unit(w: Array) -> Array:
-    """The vectors (N, 3) with length 1."""
-    length: Array = np.linalg.norm(w, axis=-1, keepdims=True)
-    return w / length
-
-
-def dot(a: Array, b: Array) -> Array:
-    """Scalar products of the rows, (N,)."""
-    return np.asarray(np.sum(a * b, axis=-1))
-
-
-def column(x: NDArray[Any]) -> Array:
-    """(N,) as (N, 1), to multiply colours."""
-    wide: Array = x[..., None]
-    return wide
-
-
-# Directions
-
-
-def half_vector(l: Array, v: Array) -> Array:
-    """(l + v) / |l + v|, and the normal for l = -v."""
-    s = l + v
-    length = np.linalg.norm(s, axis=-1, keepdims=True)
-    opposite = length < 1e-15
-    return np.where(opposite, [0.0, 0.0, 1.0], s / np.where(opposite, 1.0, length))
-
-
-def unit_normal(n: Array, fallback: Array) -> Array:
-    """n / |n|, and the fallback for a normal shorter than 1e-10."""
-    length = np.linalg.norm(n, axis=-1, keepdims=True)
-    return np.where(length > 1e-10, n / np.maximum(length, 1e-300), fallback)
-
-
-def facing_normal(n: Array, v: Array) -> Array:
-    """The reflection of n across the plane normal to v where n faces away from v."""
-    away = dot(n, v) < 0.0
-    return np.where(column(away), n - 2.0 * column(dot(n, v)) * v, n)
-
 
 # Distributions: Walter et al. 2007, eqs. 25, 30 and 33
 
@@ -123,9 +77,8 @@ def lambda_beckmann(w: Array, alpha: Array) -> Array:
 
 def lambda_beckmann_exact(w: Array, alpha: Array) -> Array:
     """(erf(a) - 1) / 2 + exp(-a^2) / (2 a sqrt(pi)): Heitz 2014, eq. 66."""
-    a = np.minimum(slope(w, alpha), 30.0)
-    erfc = np.vectorize(math.erfc)(a)
-    return np.asarray(np.exp(-(a**2)) / (2.0 * a * math.sqrt(math.pi)) - erfc / 2.0)
+    a = np.minimum(slope(w, alpha), 25.0)
+    return np.asarray(np.exp(-(a**2)) / (2.0 * a * math.sqrt(math.pi)) - erfc(a) / 2.0)
 
 
 Lambda = Callable[[Array, Array], Array]
@@ -179,6 +132,14 @@ def v_cavity(l: Array, v: Array, h: Array, alpha: Array) -> Array:
     return np.maximum(g, 0.0)
 
 
+def hammon(l: Array, v: Array, h: Array, alpha: Array) -> Array:
+    """2 NoL NoV / mix(2 NoL NoV, NoL + NoV, alpha): Hammon 2017, p. 82."""
+    NoL, NoV, a = unit(l)[..., 2], unit(v)[..., 2], width(alpha)
+    lit = (NoL > 0.0) & (NoV > 0.0)
+    both, total = np.where(lit, 2.0 * NoL * NoV, 1.0), np.where(lit, NoL + NoV, 1.0)
+    return np.where(lit, both / (both * (1.0 - a) + total * a), 0.0)
+
+
 def unmasked(l: Array, v: Array, h: Array, alpha: Array) -> Array:
     """1."""
     return np.ones(np.broadcast_shapes(l.shape[:-1], v.shape[:-1], alpha.shape))
@@ -188,8 +149,10 @@ MASKINGS: dict[str, Masking] = {
     "cook_torrance": v_cavity,
     "none": unmasked,
     "smith_beckmann": correlated(lambda_beckmann),
+    "smith_beckmann_exact": correlated(lambda_beckmann_exact),
     "smith_beckmann_uncorrelated": separable(lambda_beckmann),
     "smith_ggx": correlated(lambda_ggx),
+    "smith_ggx_fast": hammon,
     "smith_ggx_uncorrelated": separable(lambda_ggx),
 }
 
@@ -227,88 +190,24 @@ def schlick(m: Material, VoH: Array) -> Array:
     return m["f0"] + (1.0 - m["f0"]) * column(np.maximum(1.0 - VoH, 0.0) ** 5)
 
 
+def dielectric(m: Material, VoH: Array) -> Array:
+    """The mean of both polarisations, for eta = (1 + sqrt(f0)) / (1 - sqrt(f0)): Fresnel 1823.
+
+    1 on the horizon, unless nothing is there to reflect, f0 = 0.
+    """
+    s, c = np.sqrt(m["f0"]), column(VoH)
+    clear = s < 1.0
+    eta = (1.0 + s) / np.where(clear, 1.0 - s, 1.0)
+    t = np.sqrt(1.0 - (1.0 - c**2) / eta**2)
+    flat = (c == 0.0) | ~clear
+    across = np.where(flat, -1.0, (c - eta * t) / np.where(flat, 1.0, c + eta * t))
+    along = np.where(flat, -1.0, (eta * c - t) / np.where(flat, 1.0, eta * c + t))
+    return np.where(s > 0.0, (across**2 + along**2) / 2.0, 0.0)
+
+
 def mirror(m: Material, VoH: Array) -> Array:
     """1."""
     return np.ones((*VoH.shape, 3))
 
 
-FRESNELS = {"schlick": schlick, "none": mirror}
-
-# Models, each as brdf times cosine; see `over_cosine`
-
-
-def above(l: Array, v: Array) -> Array:
-    """1 where light from l can be seen from v, else 0; (N, 1)."""
-    return np.where(column((l[..., 2] > 0.0) & (v[..., 2] >= 0.0)), 1.0, 0.0)
-
-
-def lambert(m: Material, l: Array, v: Array) -> Array:
-    """base / pi."""
-    return above(l, v) * m["base_color"] / math.pi
-
-
-def phong_cos(m: Material, l: Array, v: Array) -> Array:
-    """kd NoL + ks max(0, r.v)^s, r the mirrored l: Phong 1975, p. 315."""
-    r = unit(l) * [-1.0, -1.0, 1.0]
-    lobe = np.maximum(dot(r, unit(v)), 0.0) ** m["shininess"]
-    return above(l, v) * (m["kd"] * column(unit(l)[..., 2]) + m["ks"] * column(lobe))
-
-
-def blinn_phong_cos(m: Material, l: Array, v: Array) -> Array:
-    """kd NoL + ks max(0, n.h)^s: Blinn 1977, p. 193."""
-    lobe = np.maximum(half_vector(l, v)[..., 2], 0.0) ** m["shininess"]
-    return above(l, v) * (m["kd"] * column(unit(l)[..., 2]) + m["ks"] * column(lobe))
-
-
-Model = Callable[[Material, Array, Array], Array]
-
-
-def over_cosine(model_cos: Model) -> Model:
-    """brdf from brdf times cosine; nearer to the horizon than GRAZING_COS divided by that."""
-
-    def brdf(m: Material, l: Array, v: Array) -> Array:
-        return model_cos(m, l, v) / column(np.maximum(unit(l)[..., 2], GRAZING_COS))
-
-    return brdf
-
-
-def over_base(m: Material, F: Array, facets: Array) -> Array:
-    """(1 - F) (1 - metalness) base / pi + facets."""
-    return (1.0 - F) * (1.0 - column(m["metalness"])) * m["base_color"] / math.pi + facets
-
-
-def blend_with_base(m: Material, facets: Array) -> Array:
-    """Base and facets mixed by metalness, which is at least 0.005."""
-    share = np.maximum(column(m["metalness"]), 0.005)
-    return (1.0 - share) * m["base_color"] / math.pi + share * facets
-
-
-def cook_torrance(
-    m: Material,
-    l: Array,
-    v: Array,
-    distribution: str = "ggx",
-    masking: str = "smith_ggx",
-    fresnel: str = "schlick",
-    thesis_blend: bool = False,
-) -> Array:
-    """D F G / (4 NoL NoV) over a matt base: Walter et al. 2007, eq. 20."""
-    h = half_vector(l, v)
-    alpha = alpha_from_roughness(m["roughness"])
-    F = FRESNELS[fresnel](m, dot(unit(v), h))
-    facets = DISTRIBUTIONS[distribution](h, alpha) * VISIBILITIES[masking](l, v, h, alpha)
-    lit = F * column(facets)
-    return above(l, v) * (blend_with_base(m, lit) if thesis_blend else over_base(m, F, lit))
-
-
-def cook_torrance_cos(
-    m: Material,
-    l: Array,
-    v: Array,
-    distribution: str = "ggx",
-    masking: str = "smith_ggx",
-    fresnel: str = "schlick",
-    thesis_blend: bool = False,
-) -> Array:
-    """Cook-Torrance times NoL."""
-    return cook_torrance(m, l, v, distribution, masking, fresnel, thesis_blend) * l[..., 2:]
+FRESNELS = {"schlick": schlick, "dielectric": dielectric, "none": mirror}
