@@ -1,18 +1,8 @@
 // The stability atlas: where a shader function loses its digits, computed on this device.
 import "./style/atlas.css";
-import { type Axis, compute, KINDS, type Panel, type Sweep, unpack } from "./atlas_gl";
-import {
-  band,
-  LOUD,
-  label,
-  number,
-  pixels,
-  RAMP,
-  scale,
-  summary,
-  type Tick,
-  ticks,
-} from "./atlas_scale";
+import { compute, unpack } from "./atlas_gl";
+import { Maps, marks } from "./atlas_maps";
+import { LOUD, label, RAMP, scale } from "./atlas_scale";
 import { LightbenchError } from "./core/errors";
 import { type AtlasEntry, loadAtlas, loadAtlasMap } from "./data";
 import { openDialog } from "./dialog";
@@ -20,23 +10,9 @@ import { make } from "./dom";
 import { recall, remember } from "./memory";
 
 const FIRST = "distributions/ggx.glsl distribution";
-const ARROWS: Record<string, [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowDown: [0, -1],
-  ArrowUp: [0, 1],
-};
-
 /** Open the atlas; it lasts until its dialog is closed. */
 export function showAtlas(): void {
   new Atlas();
-}
-
-/** One map on the page, and what it says of a point. */
-interface Shown {
-  panel: Panel;
-  cursor: HTMLElement;
-  readout: HTMLElement;
 }
 
 class Atlas {
@@ -44,8 +20,8 @@ class Atlas {
   private readonly x = make("select", { id: "atlas-x", change: () => this.axes("x") });
   private readonly y = make("select", { id: "atlas-y", change: () => this.axes("y") });
   private readonly says = make("p", { class: "says", role: "status" }, "Loading");
-  private readonly inputs = make("p", { class: "inputs" });
   private readonly body = make("div", { class: "maps" });
+  private inputs: HTMLElement = make("p", { class: "inputs" });
   private entries: AtlasEntry[] = [];
   private last: [x: string, y: string] = ["", ""];
   private turn = 0;
@@ -127,7 +103,10 @@ class Atlas {
       if (turn !== this.turn) return;
       const { panels, renderer } = await compute(sweep);
       if (turn !== this.turn) return;
-      this.draw(sweep, panels);
+      const maps = new Maps(sweep, panels);
+      this.body.replaceChildren(...maps.figures);
+      this.inputs.replaceWith(maps.inputs);
+      this.inputs = maps.inputs;
       const exact = panels.every((panel) => panel.exact)
         ? ""
         : " No exact form is known: half precision is compared with float32.";
@@ -147,114 +126,6 @@ class Atlas {
     this.says.classList.add("failure");
     if (!(error instanceof LightbenchError)) throw error;
   }
-
-  private draw(sweep: Sweep, panels: Panel[]): void {
-    const shown: Shown[] = [];
-    let place: [number, number] = [sweep.size >> 1, sweep.size >> 1];
-    const point = (x: number, y: number) => {
-      const inside = (value: number) => Math.min(Math.max(value, 0), sweep.size - 1);
-      place = [inside(x), inside(y)];
-      this.point(sweep, shown, place);
-    };
-    const figures = panels.map((panel, index) => {
-      const form = !panels.some((each) => each.textbook)
-        ? ""
-        : panel.textbook
-          ? "Textbook, "
-          : "Ours, ";
-      const name = `${form}${panel.precision.name}`;
-      const canvas = make("canvas", {
-        width: sweep.size,
-        height: sweep.size,
-        tabindex: 0,
-        role: "img",
-        "aria-label": `Map of ${name}; arrow keys read its points`,
-        "aria-describedby": `atlas-summary-${index}`,
-        pointermove: (event) => {
-          const { offsetX, offsetY } = event as PointerEvent;
-          const cell = canvas.clientWidth / sweep.size;
-          const row = Math.floor((offsetY * sweep.size) / canvas.clientHeight);
-          point(Math.floor(offsetX / cell), sweep.size - 1 - row);
-        },
-        focus: () => point(...place),
-        keydown: (event) => {
-          const way = ARROWS[(event as KeyboardEvent).key];
-          if (!way) return;
-          event.preventDefault();
-          const far = (event as KeyboardEvent).shiftKey ? 10 : 1;
-          point(place[0] + far * way[0], place[1] + far * way[1]);
-        },
-      });
-      canvas.getContext("2d")!.putImageData(pixels(panel, sweep.size), 0, 0);
-      const cursor = make("i", { class: "cursor", hidden: true });
-      const readout = make("p", { class: "readout" });
-      shown.push({ panel, cursor, readout });
-      return make(
-        "figure",
-        { "data-file": panel.file, "data-precision": panel.precision.name },
-        make("figcaption", {}, name),
-        make(
-          "div",
-          { class: "plot" },
-          make("span", { class: "label y" }, label(sweep.y)),
-          marks("y", ticks(sweep.y)),
-          make("div", { class: "map" }, canvas, ...zeros(sweep.x, sweep.y), cursor),
-          marks("x", ticks(sweep.x)),
-          make("span", { class: "label x" }, label(sweep.x)),
-        ),
-        make("p", { class: "summary", id: `atlas-summary-${index}` }, summary(panel)),
-        readout,
-      );
-    });
-    this.body.replaceChildren(...figures);
-    const fixed = sweep.fixed.map((input) => spoken(input, input.at));
-    this.inputs.textContent = fixed.length
-      ? `Fixed: ${fixed.join(", ")}. Point at a map to read its values.`
-      : "Point at a map to read its values.";
-  }
-
-  private point(sweep: Sweep, shown: readonly Shown[], [x, y]: [number, number]): void {
-    const at = y * sweep.size + x;
-    for (const { panel, cursor, readout } of shown) {
-      const { components } = panel;
-      const take = (values: Float32Array | Float64Array) =>
-        [...values.subarray(at * components, (at + 1) * components)]
-          .map((value) => number(value, 6))
-          .join(", ");
-      const kind = KINDS[panel.kind[at]!]!;
-      const error = kind === "finite" ? `${number(panel.ulp[at]!, 3)} ULP` : LOUD[kind][1];
-      readout.textContent = `${take(panel.got)}; truth ${take(panel.want)}; ${error}`;
-      cursor.hidden = false;
-      cursor.style.left = `${(100 * (x + 0.5)) / sweep.size}%`;
-      cursor.style.bottom = `${(100 * (y + 0.5)) / sweep.size}%`;
-    }
-    this.inputs.textContent = [
-      spoken(sweep.x, sweep.x.values[x]!),
-      spoken(sweep.y, sweep.y.values[y]!),
-      ...sweep.fixed.map((input) => spoken(input, input.at)),
-    ].join(", ");
-  }
-}
-
-/** An input with its value. */
-function spoken(input: Pick<Axis, "label" | "unit">, value: number): string {
-  return `${input.label} ${number(value)}${input.unit ? `\u202f${input.unit}` : ""}`;
-}
-
-function marks(side: string, found: readonly Tick[]): HTMLElement {
-  const way = side === "y" ? "bottom" : "left";
-  return make(
-    "div",
-    { class: `ticks ${side}`, "aria-hidden": "true" },
-    ...found.map(({ at, text }) => make("span", { style: `${way}:${100 * at}%` }, text)),
-  );
-}
-
-/** Lines that part the exact zeros from the rest. */
-function zeros(x: Axis, y: Axis): HTMLElement[] {
-  const line = (way: string, at: number) =>
-    at ? [make("i", { class: `zero ${way}`, style: `${way}:${100 * at}%` })] : [];
-  return [...line("left", band(x)), ...line("bottom", band(y))];
 }
 
 const SCALES = [

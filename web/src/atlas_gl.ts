@@ -1,4 +1,5 @@
 // Maps of the stability atlas, computed here: the page's own GPU against the exact values.
+import { compare, type Panel, type Precision } from "./atlas_error";
 import { GraphicsError, LightbenchError } from "./core/errors";
 import { CompiledProgram } from "./core/program";
 import { createContext, missing, rendererName } from "./core/render";
@@ -26,16 +27,6 @@ export interface Input {
 
 export interface Axis extends Input {
   values: number[];
-}
-
-export interface Precision {
-  name: string;
-  bits: number;
-  tiny: number;
-  negligible: number;
-  half: boolean;
-  /** ULP in the value itself. */
-  full: number;
 }
 
 interface Form {
@@ -66,32 +57,7 @@ export interface Sweep extends Header {
   arrays: ArrayBuffer;
 }
 
-/** What a point is; the last is where the truth is infinite too. */
-export const KINDS = ["finite", "nan", "inf", "negative", "unknown"] as const;
-export type Kind = (typeof KINDS)[number];
-const [FINITE, NAN, INF, NEGATIVE, UNKNOWN] = [0, 1, 2, 3, 4];
-// From this relative error on a result is called wrong.
-const WRONG = 0.01;
-const LARGEST = 2 ** 128 - 2 ** 104;
 const POLL_MILLISECONDS = 4;
-
-/** One form in one precision; a row of points after the other, the lowest y first. */
-export interface Panel {
-  file: string;
-  textbook: boolean;
-  precision: Precision;
-  /** Whether the truth is the exact form's; else it is this form's in float32. */
-  exact: boolean;
-  components: number;
-  got: Float32Array;
-  want: Float64Array;
-  ulp: Float64Array;
-  kind: Uint8Array;
-  /** Share of the points with a finite truth. */
-  shares: Record<Kind | "wrong", number>;
-  median: number;
-  largest: number;
-}
 
 /** A document of `data/atlas/`. */
 export function unpack(data: ArrayBuffer): Sweep {
@@ -119,13 +85,18 @@ export async function compute(sweep: Sweep): Promise<{ panels: Panel[]; renderer
       await new Promise((resolve) => setTimeout(resolve, POLL_MILLISECONDS));
     const results = draw(gl, sweep, programs);
     const panels = sweep.forms.map((form, index) => {
+      const { file, textbook, precision, components } = form;
       const single = sweep.forms.findIndex(
         (other) => other.file === form.file && !other.precision.half,
       );
       const want = form.exact
         ? spread(doubles(sweep, form.exact), form.exact.components, results[index]!.length)
         : Float64Array.from(results[single]!);
-      return compare(form, results[index]!, want);
+      return compare(
+        { file, textbook, precision, components, exact: form.exact !== null },
+        results[index]!,
+        want,
+      );
     });
     return { panels, renderer: rendererName(gl) };
   } finally {
@@ -210,91 +181,4 @@ function doubles(sweep: Sweep, { at, rows, components }: Place): Float64Array {
 function spread(values: Float64Array, components: number, length: number): Float64Array {
   if (values.length === length) return values;
   return new Float64Array(length).map((_, i) => values[i % components]!);
-}
-
-/** Errors in ULP and what is no valid value; of a vector's components the worst counts. */
-export function compare(
-  form: Pick<Form, "file" | "textbook" | "precision" | "components" | "exact">,
-  got: Float32Array,
-  want: Float64Array,
-): Panel {
-  const { precision, components, file, textbook } = form;
-  const count = got.length / components;
-  const ulp = new Float64Array(count);
-  const kind = new Uint8Array(count);
-  const shares = { finite: 0, nan: 0, inf: 0, negative: 0, unknown: 0, wrong: 0 };
-  for (let point = 0; point < count; point += 1) {
-    const first = point * components;
-    const worst = { known: true, nan: false, inf: false, negative: false, ulp: 0, wrong: false };
-    for (let i = first; i < first + components; i += 1) add(worst, got[i]!, want[i]!, precision);
-    const found = !worst.known
-      ? UNKNOWN
-      : worst.nan
-        ? NAN
-        : worst.inf
-          ? INF
-          : worst.negative
-            ? NEGATIVE
-            : FINITE;
-    kind[point] = found!;
-    if (found === FINITE) ulp[point] = worst.ulp;
-    shares[KINDS[found!]!] += 1;
-    if (found !== UNKNOWN && (found !== FINITE || worst.wrong)) shares.wrong += 1;
-  }
-  const known = Math.max(count - shares.unknown, 1);
-  for (const name of ["finite", "nan", "inf", "negative", "wrong"] as const) shares[name] /= known;
-  shares.unknown /= count;
-  const sorted = ulp.filter((_, point) => kind[point] === FINITE).sort();
-  const half = sorted.length / 2;
-  const median = sorted.length ? (sorted[Math.ceil(half) - 1]! + sorted[Math.floor(half)]!) / 2 : 0;
-  const exact = form.exact !== null;
-  const largest = sorted.at(-1) ?? 0;
-  return {
-    file,
-    textbook,
-    precision,
-    exact,
-    components,
-    got,
-    want,
-    ulp,
-    kind,
-    shares,
-    median,
-    largest,
-  };
-}
-
-interface Worst {
-  known: boolean;
-  nan: boolean;
-  inf: boolean;
-  negative: boolean;
-  ulp: number;
-  wrong: boolean;
-}
-
-function add(worst: Worst, got: number, want: number, precision: Precision): void {
-  const known = Math.abs(want) <= LARGEST; // false for NaN
-  const truth = known ? want : 0;
-  worst.known &&= known;
-  worst.nan ||= Number.isNaN(got);
-  worst.inf ||= Math.abs(got) === Number.POSITIVE_INFINITY;
-  worst.negative ||= got < 0 && truth >= 0;
-  if (!Number.isFinite(got) || !known) return;
-  if (Math.max(Math.abs(truth), Math.abs(got)) < precision.negligible) return;
-  const off = Math.abs(got - truth);
-  worst.ulp = Math.max(worst.ulp, off / step(truth, precision));
-  worst.wrong ||= off > WRONG * Math.max(Math.abs(truth), precision.tiny);
-}
-
-const word = new DataView(new ArrayBuffer(8));
-
-/** The step between neighbouring numbers of a precision at a value. */
-export function step(value: number, precision: Precision): number {
-  word.setFloat64(0, Math.max(Math.abs(value), precision.tiny));
-  const exponent = (word.getUint32(0) >>> 20) + 1 - precision.bits;
-  word.setUint32(0, exponent << 20);
-  word.setUint32(4, 0);
-  return word.getFloat64(0);
 }

@@ -1,5 +1,6 @@
 // How a map of the atlas is coloured, measured and put into words.
-import { type Axis, KINDS, type Kind, type Panel, type Precision } from "./atlas_gl";
+import { KINDS, type Kind, type Panel, type Precision } from "./atlas_error";
+import type { Axis } from "./atlas_gl";
 import { niceCeiling, spell } from "./number";
 
 /** From exact to no digit right, lightness rising evenly, as on the sheets of `lightbench atlas`. */

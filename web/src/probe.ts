@@ -1,5 +1,5 @@
 // `window.lightbench`: the page's own tools for tests and for the console.
-import type { Panel } from "./atlas_gl";
+import type { Panel } from "./atlas_error";
 import type { MeshLoader } from "./core/mesh";
 import { plan } from "./core/plan";
 import { createContext, Renderer } from "./core/render";
