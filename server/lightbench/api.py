@@ -17,6 +17,7 @@ from fastapi.staticfiles import StaticFiles
 from pydantic import BaseModel, ConfigDict, Field
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
+from lightbench import atlas_data
 from lightbench.answers import BusyError, Problem, answer, json_answer, refuse_all
 from lightbench.errors import LightbenchError
 from lightbench.image import FORMATS
@@ -193,6 +194,23 @@ def get_scene_file(request: Request, name: str) -> Response:
 @data.get("/meshes/{key}.bin")
 def get_mesh(key: str, known: Known = None) -> Response:
     return answer(pack(mesh(key)), "application/octet-stream", known)
+
+
+@data.get("/atlas.json")
+def get_atlas(request: Request) -> Response:
+    return json_answer(request, atlas_data.index(read_library(shaders_folder())))
+
+
+@data.get("/atlas/{file:path}/{function}/{x}/{y}.bin")
+async def get_atlas_map(
+    request: Request, file: str, function: str, x: str, y: str, known: Known = None
+) -> Response:
+    def work() -> Response:
+        library = read_library(shaders_folder())
+        found = atlas_data.document(library, f"{file}.glsl", function, x, y)
+        return answer(found, "application/octet-stream", known)
+
+    return await _queued(request, work)
 
 
 @data.get("/thumbs/{name:path}.png")

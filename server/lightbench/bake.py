@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from lightbench import render_plan
+from lightbench import atlas_data, render_plan
 from lightbench.errors import LightbenchError
 from lightbench.library import Library, read_library
 from lightbench.options import THUMB, manifest, preset, version
@@ -75,6 +75,8 @@ def _files(library: Library, root: Path) -> Iterator[tuple[str, bytes]]:
         yield f"thumbs/{name}.png", render_plan(scene, THUMB, {}).png()
     for key in mesh_keys(list(presets.values())):
         yield f"meshes/{key}.bin", pack(mesh(key))
+    yield "atlas.json", _json(atlas_data.index(library))
+    yield from atlas_data.documents(library)
 
 
 def _json(data: object) -> bytes:

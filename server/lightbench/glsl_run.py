@@ -11,10 +11,14 @@ from numpy.typing import NDArray
 
 from lightbench.assemble import Source
 from lightbench.errors import LightbenchError
+from lightbench.plan import Program
 from lightbench.render import renderer, set_uniform
 from lightbench.settings import Resolved
 
-__all__ = ["COMPONENTS", "RETURNS", "Draw", "Prepared", "drawing", "run"]
+__all__ = [
+    "COMPONENTS", "RETURNS", "Draw", "Prepared", "drawing", "one_call", "program", "run",
+    "sampler",
+]  # fmt: skip
 
 # Draws once, with these values of the int uniforms.
 Draw = Callable[[Mapping[str, int]], None]
@@ -56,12 +60,16 @@ class Prepared:
 
 def run(prepared: Prepared) -> NDArray[np.float32]:
     """The results (count, 4); on the GL thread."""
-    names = [f"a{index}" for index in range(len(prepared.types))]
-    body = [f"  o_result = {prepared.result(names)};"]
-    with drawing(prepared, body) as ((draw,), framebuffer):
+    with drawing(prepared, one_call(prepared)) as ((draw,), framebuffer):
         draw({})
         raw = framebuffer.read(components=4, dtype="f4")
     return np.frombuffer(raw, np.float32).reshape(-1, 4)[: prepared.count].copy()
+
+
+def one_call(prepared: Prepared) -> list[str]:
+    """The body that calls the function once."""
+    names = [f"a{index}" for index in range(len(prepared.types))]
+    return [f"  o_result = {prepared.result(names)};"]
 
 
 @contextmanager
@@ -79,18 +87,18 @@ def drawing(
     size = (min(count, WIDTH), -(-count // WIDTH))
     if max(size) > owner.limit:
         raise LightbenchError(f"{count} rows are beyond the {WIDTH * owner.limit} of one call")
-    programs = [_program(prepared, body, uniforms) for body in bodies]
-    samplers = [_sampler(name) for name in prepared.columns]
+    programs = [renderer().program(program(prepared, body, uniforms)) for body in bodies]
+    samplers = [sampler(name) for name in prepared.columns]
     with context.scope(framebuffer := context.simple_framebuffer(size, 4, dtype="f4")):
         textures = [_texture(context, column, size) for column in prepared.columns.values()]
-        for unit, (texture, sampler) in enumerate(zip(textures, samplers, strict=True)):
+        for unit, (texture, name) in enumerate(zip(textures, samplers, strict=True)):
             texture.use(unit)
-            for program in programs:
-                set_uniform(program, sampler, unit)
-        for program in programs:
-            _set_parameters(program, prepared.resolved, {*samplers, *uniforms})
+            for compiled in programs:
+                set_uniform(compiled, name, unit)
+        for compiled in programs:
+            _set_parameters(compiled, prepared.resolved, {*samplers, *uniforms})
         context.enable_only(moderngl.NOTHING)
-        yield [partial(_draw, program) for program in programs], framebuffer
+        yield [partial(_draw, compiled) for compiled in programs], framebuffer
     for item in (*textures, *framebuffer.color_attachments, framebuffer):
         item.release()
 
@@ -101,30 +109,31 @@ def _draw(program: moderngl.Program, values: Mapping[str, int]) -> None:
     renderer().vertices(program, None).render(moderngl.TRIANGLES, vertices=3)
 
 
-def _sampler(column: str) -> str:
+def sampler(column: str) -> str:
+    """The sampler that a column is read from."""
     return "u_call_" + column.replace(".", "_")
 
 
-def _program(prepared: Prepared, body: Sequence[str], uniforms: Sequence[str]) -> moderngl.Program:
+def program(prepared: Prepared, body: Sequence[str], uniforms: Sequence[str] = ()) -> Program:
     """The source with a main that has the row of this pixel in a0, a1 and so on, then the body."""
     fetches = [
-        f"  {column} = {prepared.rounding}(texelFetch({_sampler(column)}, "
+        f"  {column} = {prepared.rounding}(texelFetch({sampler(column)}, "
         f"{'row' if len(array) > 1 else 'ivec2(0)'}, 0){SWIZZLE[array.shape[1]]});"
         for column, array in prepared.columns.items()
     ]
     main = [
-        *(f"uniform highp sampler2D {_sampler(column)};" for column in prepared.columns),
+        *(f"uniform highp sampler2D {sampler(column)};" for column in prepared.columns),
         *(f"uniform int {name};" for name in uniforms),
         "out vec4 o_result;", "void main() {", "  ivec2 row = ivec2(gl_FragCoord.xy);",
         *(f"  {kind} a{index};" for index, kind in enumerate(prepared.types)),
         *fetches, *body, "}", "",
     ]  # fmt: skip
     source = prepared.source
-    return renderer().program({
+    return {
         "vertex": SCREEN, "fragment": source.text + "\n".join(main), "vertex_lines": [],
         "fragment_lines": [*source.lines, *(f"call:{n}" for n in range(1, len(main) + 1))],
         "attributes": [],
-    })  # fmt: skip
+    }  # fmt: skip
 
 
 def _set_parameters(program: moderngl.Program, resolved: Resolved, own: set[str]) -> None:

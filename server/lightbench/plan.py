@@ -17,7 +17,7 @@ from lightbench.scene import Scene
 from lightbench.settings import Resolved, Setting, resolve
 from lightbench.values import draw_values, float32, frame_values, front_to_back, mesh_key
 
-__all__ = ["Batch", "Draw", "Plan", "PlannedPass", "PlannedTarget", "Program", "plan"]
+__all__ = ["Batch", "ById", "Draw", "Plan", "PlannedPass", "PlannedTarget", "Program", "plan"]
 
 MAX_SIDE = 16384
 # What a plan is made for: the linear picture and its display code.
@@ -95,7 +95,7 @@ def plan(
 
 @lru_cache(maxsize=512)
 def _assembled(
-    library: "_ById", entry: str, stage: str, choices: tuple[tuple[str, str], ...],
+    library: "ById", entry: str, stage: str, choices: tuple[tuple[str, str], ...],
     values: tuple[tuple[str, float], ...], lights: tuple[tuple[tuple[str, str], ...], ...],
 ) -> Source:  # fmt: skip
     every = tuple(dict(record) for record in lights)
@@ -108,14 +108,14 @@ def _assembled(
     return assemble(library.value, request)
 
 
-class _ById:
+class ById:
     """A library as a cache key: a library read once is one object."""
 
     def __init__(self, value: Library) -> None:
         self.value = value
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _ById) and other.value is self.value
+        return isinstance(other, ById) and other.value is self.value
 
     def __hash__(self) -> int:
         return id(self.value)
@@ -231,7 +231,7 @@ class _Planner:
         choices = tuple(self.resolved.choices.items())
         entry = f"passes/{name}.glsl"
         lights = light_records(self.scene)
-        return _assembled(_ById(self.library), entry, stage, choices, self.defines, lights)
+        return _assembled(ById(self.library), entry, stage, choices, self.defines, lights)
 
     def program(self, stages: list[Source]) -> int:
         program: Program = {

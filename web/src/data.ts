@@ -17,6 +17,47 @@ export function thumbnail(name: string): string {
   return `data/thumbs/${path(name)}.png`;
 }
 
+/** A function of the atlas and the inputs to choose axes from, the usual pairs in `axes`. */
+export interface AtlasEntry {
+  file: string;
+  function: string;
+  group: string;
+  title: string;
+  inputs: { name: string; label: string; unit: string }[];
+  axes: [x: string, y: string][];
+}
+
+/** Every function of the atlas. */
+export async function loadAtlas(): Promise<AtlasEntry[]> {
+  return (await json<{ functions: AtlasEntry[] }>("data/atlas.json")).functions;
+}
+
+/** A function over two inputs, as `unpack` reads it. */
+export async function loadAtlasMap(
+  file: string,
+  name: string,
+  x: string,
+  y: string,
+): Promise<ArrayBuffer> {
+  const place = path(`${file.replace(/\.glsl$/, "")}/${name}/${x}/${y}`);
+  const response = await fetch(`data/atlas/${place}.bin`).catch(() => null);
+  const type = response?.headers.get("content-type") ?? "";
+  if (response?.ok && !type.includes("html")) return response.arrayBuffer();
+  if (response && type.includes("json"))
+    throw new LightbenchError(`The server refuses: ${sentence(await response.json())}`);
+  throw new LightbenchError(
+    response
+      ? "Behind this page are only files, and none has these axes. Run `lightbench serve` and open the address that it prints to choose any."
+      : "The map could not be loaded: no server answered. Choose it again to try again.",
+  );
+}
+
+/** What an error of the service says. */
+export function sentence(body: unknown): string {
+  const message = (body as { error?: { message?: unknown } } | null)?.error?.message;
+  return typeof message === "string" ? message : "it does not say why";
+}
+
 /** `lab/shadows` keeps its slash. */
 export function path(name: string): string {
   return name.split("/").map(encodeURIComponent).join("/");

@@ -6,7 +6,7 @@ import { address } from "./server";
 import type { State } from "./state";
 
 /** A modal dialog that is gone once it is closed; a click beside it closes it too. */
-function open(title: string, kind: string, ...content: Node[]): HTMLDialogElement {
+export function openDialog(title: string, kind: string, ...content: Node[]): HTMLDialogElement {
   const close = make(
     "button",
     { type: "button", class: "close", "aria-label": "Close", click: () => dialog.close() },
@@ -64,7 +64,7 @@ export function chooseScene(
       words,
     );
   });
-  const dialog = open("Scenes", "scenes", make("div", { class: "grid" }, ...cards));
+  const dialog = openDialog("Scenes", "scenes", make("div", { class: "grid" }, ...cards));
   dialog.querySelector<HTMLElement>("[aria-current]")?.focus();
 }
 
@@ -99,7 +99,7 @@ export function showSources(plan: Plan): void {
     facts.textContent = `${lines.length} lines, as compiled`;
   };
   show();
-  open(
+  openDialog(
     "GLSL of this picture",
     "sources",
     make("div", { class: "bar" }, select, facts, copy),
@@ -114,7 +114,7 @@ export async function copyText(text: string): Promise<boolean> {
     return true;
   } catch {
     const field = make("textarea", { readonly: true, rows: 4, "aria-label": "Text to copy" }, text);
-    open("Copy this", "copy", field);
+    openDialog("Copy this", "copy", field);
     field.select();
     return false;
   }
@@ -154,7 +154,7 @@ export function showHelp(state: State): void {
   );
   const command = `lightbench render ${state.scene}${set.join("")}`;
   const link = new URL(address(state, [640, 480]), location.href.split("#")[0]).href;
-  open(
+  openDialog(
     "Help",
     "help",
     about,

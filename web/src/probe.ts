@@ -1,9 +1,11 @@
 // `window.lightbench`: the page's own tools for tests and for the console.
+import type { Panel } from "./atlas_error";
 import type { MeshLoader } from "./core/mesh";
 import { plan } from "./core/plan";
 import { createContext, Renderer } from "./core/render";
 import type { Settings } from "./core/settings";
 import type { Manifest, Plan, Program, Scene } from "./core/types";
+import { loadAtlasMap } from "./data";
 
 const WARM_UP = 3;
 
@@ -32,6 +34,8 @@ export interface Probe {
     size: [number, number],
     frames: number,
   ): Promise<{ milliseconds: number[]; renderer: string }>;
+  /** The maps of a shader function over two of its inputs, computed by this browser. */
+  atlas(file: string, name: string, x: string, y: string): Promise<Panel[]>;
   /** The page's address with the state as it is now. */
   link(): string;
   /** The programs of the picture that is shown. */
@@ -76,6 +80,10 @@ export function makeProbe(bench: Bench): Probe {
       const [width, height] = size;
       const linear = aside.readLinear();
       return { linear, display: aside.readDisplay(), width, height, renderer: aside.name };
+    },
+    async atlas(file, name, x, y) {
+      const { compute, unpack } = await import("./atlas_gl");
+      return (await compute(unpack(await loadAtlasMap(file, name, x, y)))).panels;
     },
     async measure(scene, settings, size, frames) {
       const [manifest, described] = await Promise.all([bench.manifest, bench.scene(scene)]);

@@ -1,6 +1,6 @@
 // The server's picture of the same state, pixel by pixel beside the browser's.
 import { LightbenchError } from "./core/errors";
-import { path } from "./data";
+import { path, sentence } from "./data";
 import { query, type State } from "./state";
 
 export interface ServerPicture {
@@ -51,12 +51,6 @@ export async function fetchPicture(
     milliseconds: Number(response.headers.get("x-lightbench-render-ms")),
     renderer: response.headers.get("x-lightbench-renderer") ?? "",
   };
-}
-
-function sentence(body: unknown): string {
-  const record = (typeof body === "object" && body !== null ? body : {}) as Record<string, unknown>;
-  const said = record.detail ?? record.message ?? record.error ?? body;
-  return typeof said === "string" ? said : JSON.stringify(said);
 }
 
 async function decode(blob: Blob): Promise<ImageData> {

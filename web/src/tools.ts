@@ -18,6 +18,12 @@ export function addTools(app: App): void {
   const redo = button("redo", () => app.store.redo());
   button("server", () => app.wipe.show(!app.wipe.shown));
   button("sources", () => app.view.plan && showSources(app.view.plan));
+  button("atlas", () => {
+    import("./atlas").then(
+      ({ showAtlas }) => showAtlas(),
+      () => app.notices.fail("The atlas could not be loaded. Reload the page to try again."),
+    );
+  });
   button("save", () => void save(app));
   const share = button("share", async () => {
     const copied = await copyText(app.link.flush());

@@ -35,7 +35,7 @@ export function createContext(canvas: HTMLCanvasElement | OffscreenCanvas): WebG
 }
 
 /** What this context cannot do that the renderer needs; null where nothing is missing. */
-function missing(gl: WebGL2RenderingContext): string | null {
+export function missing(gl: WebGL2RenderingContext): string | null {
   if (gl.isContextLost()) return "the browser took the graphics context away";
   if (gl.getExtension("EXT_color_buffer_float")) return null;
   return "EXT_color_buffer_float is missing: this device cannot draw to float32 pictures";
