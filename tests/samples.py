@@ -193,7 +193,9 @@ EXPONENTS = 10.0 ** uniform(-1.0, 6.0)
 ANGLES = np.minimum(uniform(0.0, 6.0) / np.sqrt(EXPONENTS), 1.57)
 UNITS = tuple(single(uniform(0.01, 1.0, COUNT, k)[:, 0]) for k in (2, 3, 4, 5))
 GRAZING = pairs()
-RAYS = rays(10.0 ** uniform(-2.0, 4.0), uniform(0.0, 1.4, COUNT, 1)[:, 0])
+TOWARDS = rays(10.0 ** uniform(-2.0, 4.0), uniform(0.0, 1.4, COUNT, 1)[:, 0])
+# Towards a sphere and away from it, from outside and from inside.
+RAYS = (np.tile(TOWARDS[0], (2, 1)), np.concatenate([TOWARDS[1], -TOWARDS[1]]), *TOWARDS[2:])
 BASE = material([0.5], [1.0]) | {"metalness": single(np.linspace(0.0, 1.0, COUNT))}
 
 # Arguments for the functions of lib/, by file and name.
