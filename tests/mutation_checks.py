@@ -12,7 +12,6 @@ import itertools
 import os
 import re
 import tempfile
-import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -44,14 +43,13 @@ LEFT_OUT = ("test_a_broken_shader_is_noticed", "test_every_golden_has_its_render
 
 @dataclass(frozen=True)
 class Check:
-    """One case of a test. `rank` orders the quick ones first."""
+    """One case of a test."""
 
     name: str
-    rank: int
     run: Callable[[Path, pytest.MonkeyPatch], None]
 
 
-def cases(rank: int, module: ModuleType, only: Sequence[str] = ()) -> Iterator[Check]:
+def cases(module: ModuleType, only: Sequence[str] = ()) -> Iterator[Check]:
     """Every case of a module's tests, or of those named."""
     for name, test in vars(module).items():
         if not name.startswith("test_") or test.__module__ != module.__name__ or name in LEFT_OUT:
@@ -63,7 +61,7 @@ def cases(rank: int, module: ModuleType, only: Sequence[str] = ()) -> Iterator[C
             arguments = {name: value for _, part in given for name, value in part.items()}
             label = f"{module.__name__.removeprefix('tests.')}.{name}"
             shown = "-".join(shown for shown, _ in given)
-            yield Check(f"{label}[{shown}]" if given else label, rank, runner(test, arguments))
+            yield Check(f"{label}[{shown}]" if given else label, runner(test, arguments))
 
 
 def parameters(mark: pytest.Mark) -> Iterator[tuple[str, dict[str, Any]]]:
@@ -98,16 +96,12 @@ def runner(
     return run
 
 
-FORMULAS = [
-    check
-    for rank, module in enumerate((test_formulas, test_guards, test_textbook))
-    for check in cases(rank, module)
-]
-LAWS = list(cases(3, test_laws))
+FORMULAS = [*cases(test_formulas), *cases(test_guards), *cases(test_textbook)]
+LAWS = list(cases(test_laws))
 PICTURES = [
-    *cases(4, test_golden, ["test_golden"]),
-    *cases(5, test_scene, test_extremes.SCENE_LAWS),
-    *cases(6, test_extremes, test_extremes.IMAGE_LAWS),
+    *cases(test_golden, ["test_golden"]),
+    *cases(test_scene, test_extremes.SCENE_LAWS),
+    *cases(test_extremes, test_extremes.IMAGE_LAWS),
 ]
 
 
@@ -124,14 +118,13 @@ class Workbench:
 
     root: Path
     files: dict[str, frozenset[str]] = field(default_factory=dict)
-    seconds: dict[str, float] = field(default_factory=dict)
     count: int = 0
 
     def __post_init__(self) -> None:
         self.shaders = support.copy_of_shaders(self.root, {})
 
     def caught(self, mutant: Mutant, checks: Sequence[Check]) -> str | None:
-        """The first check that fails on the mutant, those of its own file and the quick ones first.
+        """The first check that fails on the mutant: those of its own file, then those given first.
 
         Raises ShaderError where the mutant does not compile.
         """
@@ -151,16 +144,13 @@ class Workbench:
         library._read_library.cache_clear()
 
     def ordered(self, mutant: Mutant, checks: Sequence[Check]) -> list[Check]:
-        def cost(check: Check) -> tuple[bool, int, float]:
-            return mutant.path not in check.name, check.rank, self.seconds.get(check.name, 1.0)
-
+        """Without those that passed without reading the file."""
         seen = [c for c in checks if mutant.path in self.files.get(c.name, {mutant.path})]
-        return sorted(seen, key=cost)
+        return sorted(seen, key=lambda check: mutant.path not in check.name)
 
     def fails(self, check: Check) -> bool:
         """Run a check on the folder as it is now, and note which of its files it reads."""
         read: set[str] = set()
-        start = time.perf_counter()
         with (
             tempfile.TemporaryDirectory(dir=self.root) as folder,
             pytest.MonkeyPatch.context() as patch,
@@ -173,7 +163,6 @@ class Workbench:
                 check.run(Path(folder), patch)
             except FAILURES:
                 return True
-        self.seconds[check.name] = time.perf_counter() - start
         self.files[check.name] = frozenset(read)
         return False
 

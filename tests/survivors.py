@@ -1,39 +1,145 @@
 """Broken shaders that no test can tell from whole ones, and why: see test_mutations.py."""
+# ruff: noqa: E501  (a place is a line of code as it then reads)
+
+SQUARED = "only its square is used"
+TIE = "differs where both sides are equal, and there both branches give the same"
+TOLERANCE = "a bound far below the rounding of what it bounds: twice that is as good"
+UNREAD = "nobody reads this target's alpha"
+COVERED = "the triangle still covers the whole screen"
+NO_DEPTH = "a screen pass has no depth buffer, and any depth from near to far is drawn"
+DIES_OUT = "beyond 5 Lambda is below 1e-12, whether computed or not"
+NAN_DROPPED = "0 times infinity there, and this driver's max() takes the 0 for it, as GLSL allows"
+NAN_IS_DARK = "NaN there, and a comparison with it is false: the same branch is taken"
+SYMMETRIC = "the function is symmetric in these two"
+ZERO_ANYWAY = "a 0 over something positive is 0"
 
 # File: {the place as it then reads: why nothing changes}.
 EXPECTED_SURVIVORS: dict[str, dict[str, str]] = {
     "attenuations/inverse_square.glsl": {
-        "attenuation: float d = "
-        "-1.0 * (max(distance, max(light.light_radius, LIGHT_RADIUS_MIN)));": (
-            "d is only ever squared"
-        ),
+        "attenuation: float d = -1.0 * (max(distance, max(light.light_radius, LIGHT_RADIUS_MIN)));": SQUARED,
     },
     "distributions/beckmann.glsl": {
-        "distribution: if (h.z <= 0.0 || c2 * c2 <= BECKMANN_COS4_MIN) {": (
-            "differs where the fourth power is exactly the bound, and D is 0 on both sides of it"
-        ),
+        "const float BECKMANN_COS4_MIN = 2e-08;": "D is 0 on both sides of the bound",
+        "distribution: if (h.z < 0.0 || c2 * c2 < BECKMANN_COS4_MIN) {": "0 is below the other bound",
+        "distribution: if (h.z <= 0.0 || c2 < BECKMANN_COS4_MIN) {": "D is 0 on both sides of the bound",
+        "distribution: if (h.z <= 0.0 || c2 * c2 <= BECKMANN_COS4_MIN) {": "D is 0 on both sides of the bound",
+    },
+    "distributions/blinn_phong.glsl": {
+        "distribution: float a = -1.0 * (max(alpha, ALPHA_MIN));": "it enters as a^2 and (1 - a)(1 + a)",
+    },
+    "distributions/ggx.glsl": {
+        "distribution: float d = -1.0 * (dot(h.xy, h.xy) + a2 * h.z * h.z);": SQUARED,
     },
     "distributions/ggx_textbook.glsl": {
-        "distribution: float d = -1.0 * ((h.z * a2 - h.z) * h.z + 1.0);": "d is only ever squared",
+        "distribution: float d = -1.0 * ((h.z * a2 - h.z) * h.z + 1.0);": SQUARED,
     },
     "fresnels/dielectric.glsl": {
-        "fresnel: float c = clamp(VoH, GRAZING_COS, 2.0);": (
-            "a cosine exceeds 1 by its rounding only, where the reflectance is flat"
-        ),
+        "fresnel: float c = clamp(VoH, GRAZING_COS, 2.0);": "a cosine exceeds 1 by its rounding only, where the reflectance is flat",
+        "fresnel: vec3 across = -1.0 * (r * c + cosT);": SQUARED,
+        "fresnel: vec3 along = -1.0 * (c + r * cosT);": SQUARED,
+        "fresnel: vec3 Rs = -1.0 * (q / (across * across));": SQUARED,
+        "fresnel: vec3 Rp = -1.0 * (q * (c * c * (1.0 + r * r) - r * r) / (along * along));": SQUARED,
+    },
+    "lib/erf.glsl": {
+        "erfc: float t2 = -1.0 * (t * t);": SQUARED,
+        "erfc: return x <= 0.0 ? 2.0 - y : y;": "y is 1 at 0, and so is 2 - y",
     },
     "lib/frame.glsl": {
-        "halfVector: return d >= OPPOSITE ? s * inversesqrt(d) : vec3(0.0, 0.0, 1.0);": (
-            "differs where |l + v|^2 is exactly 1e-30, which is rounding and nothing else"
-        ),
+        "const float OPPOSITE = 2e-30;": TOLERANCE,
+        "basis: float s = n.z > 0.0 ? 1.0 : -1.0;": "on the equator either sign gives a basis",
+        "basis: float s = n.z >= 0.5 ? 1.0 : -1.0;": "away from the poles either sign gives a basis",
+        "halfVector: vec3 s = 2.0 * (l + v);": "made unit afterwards",
+        "halfVector: return d >= OPPOSITE ? s * inversesqrt(d) : vec3(0.0, 0.0, 1.0);": TOLERANCE,
+        "unitNormal: return d >= NO_NORMAL ? n * inversesqrt(d) : fallback;": TOLERANCE,
+    },
+    "lib/fresnel.glsl": {
+        "pow5: float x2 = -1.0 * (x * x);": SQUARED,
+        "fresnel0: float r = -1.0 * ((n1 - n2) / (n1 + n2));": SQUARED,
+    },
+    "lib/lambda_beckmann.glsl": {
+        "cosLambdaBeckmann: if (w.z > 1.6 * width) {": "at 1.6 the fit is below 0 and held there",
+    },
+    "lib/lambda_beckmann_exact.glsl": {
+        "const float BECKMANN_A_MAX = 6.0;": DIES_OUT,
+        "const float BECKMANN_A_MAX = 10.0;": DIES_OUT,
+        "cosLambdaBeckmannExact: if (false) {": NAN_DROPPED,
+        "cosLambdaBeckmannExact: if (w.z > BECKMANN_A_MAX * width) {": NAN_DROPPED,
+        "cosLambdaBeckmannExact: if (w.z >= BECKMANN_A_MAX / width) {": NAN_DROPPED,
+        "cosLambdaBeckmannExact: if (w.z >= BECKMANN_A_MAX ) {": NAN_DROPPED,
+        "cosLambdaBeckmannExact: return width * (HALF_INV_SQRT_PI * exp(-a * a) - 0.5 * a * erfc(a));": "it dips to -1e-9 of a number that is added to 1",
+        "cosLambdaBeckmannExact: return width * max(HALF_INV_SQRT_PI * exp(-a * a) - 0.5 * a * erfc(a), -1.0);": "it dips to -1e-9 of a number that is added to 1",
+    },
+    "lib/lambda_ggx.glsl": {
+        "slopeGgx: float width = -1.0 * (max(alpha, ALPHA_MIN));": SQUARED,
+        "lambdaGgx: float width = -1.0 * (max(alpha, ALPHA_MIN));": SQUARED,
     },
     "lib/screen.glsl": {
-        "main: gl_Position = vec4(corner * 4.0 - 1.0, -1.0, 1.0);": (
-            "the nearest depth is as visible as the middle one, and screen passes test no depth"
-        ),
+        "main: vec2 corner = 2.0 * (vec2(gl_VertexID & 1, gl_VertexID >> 1));": COVERED,
+        "main: vec2 corner = vec2(gl_VertexID >> 1, gl_VertexID & 1);": "the same triangle from its other side, and a screen pass culls nothing",
+        "main: gl_Position = 2.0 * (vec4(corner * 4.0 - 1.0, 0.0, 1.0));": "homogeneous: a factor of all four is none",
+        "main: gl_Position = vec4(corner * 5.0 - 1.0, 0.0, 1.0);": COVERED,
+        "main: gl_Position = vec4(corner * 8.0 - 1.0, 0.0, 1.0);": COVERED,
+        "main: gl_Position = vec4(corner * 4.0 - 1.0, -1.0, 1.0);": NO_DEPTH,
+        "main: gl_Position = vec4(corner * 4.0 - 1.0, 0.5, 1.0);": NO_DEPTH,
+        "main: gl_Position = vec4(corner * 4.0 - 1.0, 1.0, 1.0);": NO_DEPTH,
+    },
+    "lib/specular_power.glsl": {
+        "specularPower: float logCos = sin2 <= 0.25 ? 0.5 * log1p(-sin2) : log(c);": TIE,
+    },
+    "lib/sphere.glsl": {
+        "sphereHit: vec3 nearest = -1.0 * (f + b * direction);": SQUARED,
+        "sphereHit: float away = -1.0 * (length(f));": "(-a - r)(-a + r) = (a - r)(a + r)",
+        "sphereHit: return b >= 0.0 ? product / root : NO_HIT;": "outside, a ray with b = 0 has missed already",
+    },
+    "lib/sphere_textbook.glsl": {
+        "sphereHit: if (false) {": NAN_IS_DARK,
+        "sphereHit: if (discriminant < -1.0) {": NAN_IS_DARK,
+    },
+    "lib/spot.glsl": {
+        "spot: float t = -1.0 * (clamp((cosAngle - cosOuter) / width, 0.0, 1.0));": SQUARED,
+    },
+    "lib/spot_textbook.glsl": {
+        "spot: float t = -1.0 * (clamp((cosAngle - cosOuter) / (cosInner - cosOuter), 0.0, 1.0));": SQUARED,
+    },
+    "maskings/cook_torrance.glsl": {
+        "masking: return open <= VoH ? open / VoH : 1.0;": TIE,
+        "visibility: if (l.z < 0.0 || v.z < 0.0 || h.z < 0.0) {": ZERO_ANYWAY,
+    },
+    "maskings/smith_ggx_fast.glsl": {
+        "masking: if (l.z < 0.0 || v.z <= 0.0) {": ZERO_ANYWAY,
+        "masking: if (l.z <= 0.0 || v.z < 0.0) {": ZERO_ANYWAY,
+    },
+    "maskings/smith_ggx_textbook.glsl": {
+        "lambdaTextbook: float a = -1.0 * (cosine / (alpha * sqrt(1.0 - cosine * cosine)));": SQUARED,
+        "visibility: return masking(v, l, h, alpha) / (4.0 * l.z * v.z);": SYMMETRIC,
+    },
+    "models/cook_torrance.glsl": {
+        "facetsSeen: return masking(v, l, h, alpha) / (4.0 * max(l.z, GRAZING_COS) * max(v.z, GRAZING_COS));": SYMMETRIC,
+        "brdf: vec3 F = fresnel(m, dot(l, h));": "l.h = v.h",
+    },
+    "models/phong.glsl": {
+        "brdfCos: vec3 e = -1.0 * (r - v);": SQUARED,
     },
     "passes/display.glsl": {
-        "main: o_display = vec4(view(texelFetch(u_linear, ivec2(gl_FragCoord.xy), 0).rgb), 2.0);": (
-            "an 8-bit target holds no alpha above 1"
-        ),
+        "main: o_display = vec4(view(texelFetch(u_linear, ivec2(gl_FragCoord.xy), 0).rgb), 2.0);": UNREAD,
+    },
+    "passes/forward.glsl": {
+        "gl_Position = 2.0 * (u_view_projection * position);": "homogeneous: a factor of all four is none",
+        "v_normal = 2.0 * (u_normal_matrix * a_normal);": "made unit afterwards",
+        "brdfCos: const float MIN_SQUARED_DISTANCE = 2e-24;": TOLERANCE,
+        "main: float inverse = inversesqrt((squared));": NAN_IS_DARK,
+        "main: radiance += l.z >= 0.0 ? reflected : vec3(0.0);": "a model is 0 on the horizon",
+        "main: o_radiance = vec4(radiance, 2.0);": UNREAD,
+    },
+    "passes/resolve.glsl": {
+        "main: vec3 radiance = texelFetch(u_radiance, corner + ivec2(y, x), 0).rgb;": "the same samples, column by column",
+        "main: o_linear = vec4(radiance, 2.0);": UNREAD,
+        "main: o_linear = vec4(mean, 2.0);": UNREAD,
+    },
+    "transfers/srgb.glsl": {
+        "transfer: return min(mix(curve, 12.92 * c, lessThan(c, vec3(SRGB_TOE))), 1.0);": TIE,
+    },
+    "transfers/srgb_pow.glsl": {
+        "transfer: return mix(curve, 12.92 * c, lessThan(c, vec3(SRGB_TOE)));": TIE,
     },
 }

@@ -49,6 +49,10 @@ def assert_within_range(preset: str, given: Settings) -> None:
     image = lb.render(preset, SIZE, **given)
     counts = image.invalid()
     assert counts.nan == counts.negative == 0, (counts, given)
+    # Nothing after it makes a NaN of a number either: every transfer shows that in magenta, which
+    # light without green has by right.
+    loud = (image.display == [255, 0, 255]).all(axis=2) & (image.linear[..., 1] > 0)
+    assert not loud.any(), given
     if counts.inf:
         n = int(given.get("samples", 1))
         fine = (SIZE[0] * n, SIZE[1] * n)
@@ -222,6 +226,15 @@ def test_the_mean_of_finite_samples_is_finite() -> None:
         image = lb.render("single-sphere", (41, 31), **bright, samples=samples)
         assert_sound(image)
         assert image.linear[15, 20] == pytest.approx([3e38, 0.0, 3e38], rel=1e-5)
+
+
+def test_a_white_of_zero_makes_everything_white() -> None:
+    """Everything but black: down to a millionth of a unit of radiance, at any intensity."""
+    for intensity in (1e-3, 1.0, 1e30):
+        given = {f"{light}.intensity": intensity for light in ALL}
+        image = lb.render("box-room", SIZE, **given, tonemap="reinhard_extended", L_white=0.0)
+        assert_sound(image)
+        assert (image.display[(image.linear > 1e-6).all(axis=2)] == 255).all()
 
 
 # Sizes and places
