@@ -44,7 +44,7 @@ check: .venv/.stamp-dev web/node_modules/.stamp ## format, lint and types of Pyt
 
 .PHONY: goldens
 goldens: system-gl .venv/.stamp-dev ## render the golden images anew: look at them before you commit
-	$(BIN)/pytest tests/test_golden.py --update-goldens $(ARGS)
+	$(BIN)/pytest tests/test_golden.py tests/test_figure_sheets.py --update-goldens $(ARGS)
 
 # $(call apt,PACKAGES): install the missing ones where that is allowed, else name the command.
 define apt

@@ -4,10 +4,12 @@ import argparse
 
 from bench.browser import AS_NEEDED, benching
 from bench.figures import Figure, table
-from bench.offline import frames
+from bench.offline import frames, in_turn
+from bench.thesis import SETTINGS, comparison
 from tests.browser import BACKENDS
 
 SIZES = ((512, 512), (1280, 720))
+TABLE = "Table 5.1 of the thesis, box-room with shadows"
 MODELS = ["lambert", "phong", "blinn_phong", "cook_torrance"]
 MATERIALS = ["MeshPhongMaterial", "MeshStandardMaterial"]
 # The models that do the same work as three.js's two materials.
@@ -22,6 +24,8 @@ def main() -> None:
     arguments = parser.parse_args()
     rows = [frames("box-room", {"model": m}, s, arguments.frames) for s in SIZES for m in MODELS]
     print(table("box-room offline: ms per frame, median (quartiles)", rows))
+    rows = in_turn("box-room", SETTINGS, SIZES[1], arguments.frames)
+    print(comparison(f"{TABLE} offline: ms per frame, median (quartiles)", rows))
     for backend in () if arguments.offline else BACKENDS:
         with benching(backend) as bench:
             for size in SIZES:
@@ -29,6 +33,8 @@ def main() -> None:
                 print(table(f"box-room in Chromium on {backend}", rows))
                 compare(rows)
                 print()
+            rows = bench.in_turn("box-room", SETTINGS, SIZES[1], arguments.frames)
+            print(comparison(f"{TABLE} in Chromium on {backend}", rows))
 
 
 def compare(rows: list[Figure]) -> None:

@@ -1,6 +1,6 @@
 """Milliseconds per frame in Chromium, ours and three.js's in turn on the same backend."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -9,6 +9,7 @@ from fastapi.staticfiles import StaticFiles
 from playwright.sync_api import Page
 
 from bench.figures import Figure
+from bench.offline import Settings
 from lightbench.api import create_app
 from tests.browser import browsing, serving
 
@@ -16,6 +17,7 @@ __all__ = ["AS_NEEDED", "Bench", "benching"]
 
 FOLDER = Path(__file__).parent
 ROUNDS = 4
+MEASURE = "([scene, s, z, n]) => lightbench.measure(scene, s, z, n)"
 # The sphere as fine as the picture needs; without it, at the level that three.js draws.
 AS_NEEDED = " (detail as needed)"
 
@@ -25,6 +27,19 @@ class Bench:
 
     def __init__(self, ours: Page, three: Page) -> None:
         self.ours, self.three = ours, three
+
+    def in_turn(
+        self, scene: str, settings: Mapping[str, Settings], size: tuple[int, int], count: int
+    ) -> list[Figure]:
+        """`count` of our frames of each of some settings by name, in rounds."""
+        times: dict[str, list[float]] = {name: [] for name in settings}
+        ran_on = ""
+        for _ in range(ROUNDS):
+            for name, given in settings.items():
+                answer = self.ours.evaluate(MEASURE, [scene, given, size, -(-count // ROUNDS)])
+                times[name].extend(answer["milliseconds"])
+                ran_on = answer["renderer"]
+        return [Figure(name, size, values, ran_on, ROUNDS) for name, values in times.items()]
 
     def measure(
         self, models: list[str], materials: list[str], size: tuple[int, int], count: int
@@ -37,8 +52,7 @@ class Bench:
                 for label, extra in (("", {"subdivision": 5}), (AS_NEEDED, {})):
                     settings = {"model": model, **extra}
                     answer = self.ours.evaluate(
-                        "([s, z, n]) => lightbench.measure('box-room', s, z, n)",
-                        [settings, list(size), count // ROUNDS],
+                        MEASURE, ["box-room", settings, list(size), count // ROUNDS]
                     )
                     names["ours"] = answer["renderer"]
                     times.setdefault(("ours", model + label), []).extend(answer["milliseconds"])

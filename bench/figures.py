@@ -9,12 +9,16 @@ __all__ = ["Figure", "table"]
 
 @dataclass(frozen=True)
 class Figure:
-    """One measured thing: milliseconds of each frame, and what ran it."""
+    """One measured thing: milliseconds of each frame, and what ran it.
+
+    Of `rounds` in which several were measured in turn, each has as many frames.
+    """
 
     what: str
     size: tuple[int, int]
     milliseconds: Sequence[float]
     renderer: str
+    rounds: int = 1
 
     @property
     def median(self) -> float:
@@ -26,6 +30,17 @@ class Figure:
         """First and third quartile."""
         low, _, high = statistics.quantiles(self.milliseconds, n=4)
         return low, high
+
+    def ratios(self, base: "Figure") -> list[float]:
+        """The median of each round over the base's in the same round."""
+        return [
+            statistics.median(own) / statistics.median(other)
+            for own, other in zip(self._each_round(), base._each_round(), strict=True)
+        ]
+
+    def _each_round(self) -> list[Sequence[float]]:
+        count = len(self.milliseconds) // self.rounds
+        return [self.milliseconds[i * count : (i + 1) * count] for i in range(self.rounds)]
 
 
 def table(title: str, figures: Sequence[Figure], base: str = "") -> str:

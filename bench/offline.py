@@ -1,26 +1,53 @@
 """Milliseconds per frame of the offline renderer: passes only, to their completion."""
 
+from collections.abc import Mapping
+
 import lightbench as lb
 from bench.figures import Figure
 from lightbench.library import read_library
 from lightbench.paths import shaders_folder
 from lightbench.plan import plan
+from lightbench.plan_types import Plan
 from lightbench.render import on_gl_thread, renderer
 
-__all__ = ["frames"]
+__all__ = ["frames", "in_turn"]
 
+Settings = Mapping[str, float | str]
 WARM_UP = 5
+ROUNDS = 8
 
 
-def frames(
-    scene: str, settings: dict[str, float | str], size: tuple[int, int], count: int
-) -> Figure:
+def frames(scene: str, settings: Settings, size: tuple[int, int], count: int) -> Figure:
     """`count` frames of one plan, after a warm-up that compiles."""
-    made = plan(read_library(shaders_folder()), lb.load(scene), settings, size)
+    times = _times(_planned(scene, settings, size), count)
+    return Figure(str(settings.get("model")), size, times, on_gl_thread(lambda: renderer().name))
+
+
+def in_turn(
+    scene: str, settings: Mapping[str, Settings], size: tuple[int, int], count: int
+) -> list[Figure]:
+    """`count` frames of each of some settings by name, in rounds, so that all meet the same load.
+
+    A map of a light that nothing moves is drawn once, in the warm-up.
+    """
+    plans = {name: _planned(scene, given, size) for name, given in settings.items()}
+    times: dict[str, list[float]] = {name: [] for name in plans}
+    for _ in range(ROUNDS):
+        for name, made in plans.items():
+            times[name].extend(_times(made, -(-count // ROUNDS)))
+    ran_on = on_gl_thread(lambda: renderer().name)
+    return [Figure(name, size, values, ran_on, ROUNDS) for name, values in times.items()]
+
+
+def _planned(scene: str, settings: Settings, size: tuple[int, int]) -> Plan:
+    return plan(read_library(shaders_folder()), lb.load(scene), settings, size)
+
+
+def _times(made: Plan, count: int) -> list[float]:
+    """Milliseconds of each frame after the warm-up."""
 
     def run() -> list[float]:
         images = [renderer().run(made) for _ in range(WARM_UP + count)]
         return [image.milliseconds for image in images[WARM_UP:]]
 
-    times = on_gl_thread(run)
-    return Figure(str(settings.get("model")), size, times, on_gl_thread(lambda: renderer().name))
+    return on_gl_thread(run)

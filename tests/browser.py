@@ -70,8 +70,8 @@ def browsing(backend: str) -> Iterator[Browser]:
         browser.close()
 
 
-RENDER = """async ([scene, settings, size]) => {
-  const image = await window.lightbench.render(scene, settings, size);
+RENDER = """async ([scene, settings, size, attachment]) => {
+  const image = await window.lightbench.render(scene, settings, size, attachment);
   const text = (array) => {
     const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
     let binary = '';
@@ -79,16 +79,23 @@ RENDER = """async ([scene, settings, size]) => {
       binary += String.fromCharCode(...bytes.subarray(at, at + 32768));
     return btoa(binary);
   };
-  return { linear: text(image.linear), display: text(image.display), renderer: image.renderer };
+  const { size: own, renderer } = image;
+  return { linear: text(image.linear), display: text(image.display), size: own, renderer };
 }"""
 
 
 def render_in(
-    page: Page, scene: str, settings: dict[str, Any], size: tuple[int, int]
+    page: Page,
+    scene: str,
+    settings: dict[str, Any],
+    size: tuple[int, int],
+    attachment: str = "linear",
 ) -> tuple[NDArray[np.float32], NDArray[np.uint8], str]:
     """(linear, display, renderer) of a picture rendered by the page, as `lb.render` gives them."""
-    answer = page.evaluate(RENDER, [scene, settings, list(size)])
-    shape = (size[1], size[0], 4)
-    linear = np.frombuffer(base64.b64decode(answer["linear"]), np.float32).reshape(shape)
-    display = np.frombuffer(base64.b64decode(answer["display"]), np.uint8).reshape(shape)
+    answer = page.evaluate(RENDER, [scene, settings, list(size), attachment])
+    width, height = answer["size"]
+    linear = np.frombuffer(base64.b64decode(answer["linear"]), np.float32)
+    linear = linear.reshape(height, width, 4)
+    display = np.frombuffer(base64.b64decode(answer["display"]), np.uint8)
+    display = display.reshape(size[1], size[0], 4)
     return linear[..., :3], display[..., :3], answer["renderer"]

@@ -27,11 +27,14 @@ from tests import (
     support,
     test_extremes,
     test_formulas,
+    test_fresnels,
     test_golden,
     test_guards,
     test_laws,
+    test_limits,
     test_scene,
     test_textbook,
+    test_toon,
 )
 from tests.mutations import Mutant
 
@@ -96,7 +99,11 @@ def runner(
     return run
 
 
-FORMULAS = [*cases(test_formulas), *cases(test_guards), *cases(test_textbook)]
+FORMULAS = [
+    check
+    for module in (test_formulas, test_fresnels, test_guards, test_limits, test_textbook, test_toon)
+    for check in cases(module)
+]
 LAWS = list(cases(test_laws))
 PICTURES = [
     *cases(test_golden, ["test_golden"]),
@@ -170,7 +177,7 @@ class Workbench:
 # What turns files into sources, for one function and for a picture.
 READERS = (
     (glsl, "assemble"),
-    (importlib.import_module("lightbench.plan"), "_assembled"),
+    (importlib.import_module("lightbench.batches"), "_assembled"),
 )
 
 

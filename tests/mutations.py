@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
-from lightbench.library import ShaderFile
+from lightbench.front_matter import ShaderFile
 
 TOKEN = re.compile(
     r"(?P<directive>^[ \t]*\#[^\n]*)|(?P<space>[ \t]+|\n)"

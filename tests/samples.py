@@ -3,19 +3,15 @@
 
 import itertools
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lightbench.assemble import Request, assemble
 from lightbench.exact.directions import Array, half_vector, unit
-from lightbench.glsl import EMPTY_LISTS, call
-from lightbench.library import Choice
-from lightbench.plan import define_values
-from lightbench.scene import Scene
-from lightbench.settings import resolve
+from lightbench.front_matter import Choice
+from lightbench.glsl import call, material_fields, source_of
 from tests.support import library
 
 Single = NDArray[np.float32]
@@ -97,9 +93,18 @@ def material(roughness: Any, shininess: Any) -> dict[str, Single]:
     return {
         "base_color": single([[0.9, 0.5, 0.1]]), "metalness": single([0.3]),
         "roughness": single(roughness), "f0": single([[0.04, 0.5, 0.0]]),
+        "eta": single([[0.2, 1.5, 2.9]]), "k": single([[3.9, 0.0, 3.1]]),
         "kd": single([[0.1, 0.2, 0.05]]), "ks": single([[0.3, 0.5, 2.0]]),
         "shininess": single(shininess),
     }  # fmt: skip
+
+
+def indices(eta: Any, k: Any) -> dict[str, Single]:
+    """Complex indices of eta and k (N,), the blue one clear, its eta from 1 on."""
+    return {
+        "eta": single(np.stack([eta, eta[::-1], np.maximum(eta, 1.0)], axis=-1)),
+        "k": single(np.stack([k, k[::-1], 0.0 * k], axis=-1)),
+    }
 
 
 def lights(meta: Choice, *, extreme: bool) -> dict[str, Single]:
@@ -114,7 +119,24 @@ def lights(meta: Choice, *, extreme: bool) -> dict[str, Single]:
     return fields
 
 
+# Of a complex index; below 1 without k there is an angle at which F is as steep as it gets.
+INDICES = ((0.02, 0.2, 1.0, 1.0001, 3.0, 100.0), (1e-3, 0.1, 1.0, 5.0, 100.0))
+INDEX_COUNT = math.prod(map(len, INDICES))
 DISTANCES = (0.0, 1e-4, 1.0, 20.0, 1e5, 1e15)
+
+
+# Distance from the light, far, reach and cosine of a receiver.
+BIASED = ((0.05, 50.0), (50.0, 100.0), (1e-4, 0.1), (0.0, 1.0))
+BIASED_EXTREMES = (
+    (0.0, 1e-4, 1.0, 1e3, 1e5), (1e-6, 1.0, 1e6), (0.0, 1e-7, 1.0, 1e5),
+    (0.0, 1e-7, 0.1, 0.5, 1.0 - 2.0**-24, 1.0, 1.0000001),
+)  # fmt: skip
+PIXELS = single(list(itertools.product((0.0, 1.0, 4095.0), repeat=2)))
+LIT_POINTS: Arguments = (
+    single([0.0]),
+    {"position": single(uniform(-5.0, 5.0, COUNT, 3)), "normal": single([[0.0, 1.0, 0.0]]),
+     "NoL": single(uniform(0.0, 1.0)), "gap": single([0.0])},
+)  # fmt: skip
 
 
 def interior(folder: str, meta: Choice) -> Arguments:
@@ -123,6 +145,7 @@ def interior(folder: str, meta: Choice) -> Arguments:
     alpha = single(random.uniform(0.05, 1.0, COUNT))
     l, v = around(0.05, 2), around(0.05, 3)
     m = material(random.uniform(0.25, 1.0, COUNT), random.uniform(1.0, 50.0, COUNT))
+    metals = indices(10.0 ** uniform(-1.3, 1.0), uniform(0.2, 10.0, COUNT, 1)[:, 0])
     lobe = np.arctan(alpha * random.uniform(0.0, 2.5, COUNT))
     colors = single(np.exp(random.uniform(-8.0, 4.0, (COUNT, 3))))
     light = lights(meta, extreme=False)
@@ -130,9 +153,11 @@ def interior(folder: str, meta: Choice) -> Arguments:
         "models": (m, l, v),
         "distributions": (direction(np.cos(lobe), random.uniform(0.0, 6.0, COUNT)), alpha),
         "maskings": (l, v, halves(l, v), alpha),
-        "fresnels": (m, single(random.uniform(0.0, 1.0, COUNT))),
+        "fresnels": (m | metals, single(random.uniform(0.0, 1.0, COUNT))),
         "attenuations": (single(random.uniform(0.0, 50.0, COUNT)), light),
-        "shadows": (colors,),
+        "shadows": LIT_POINTS,
+        "outlines": (PIXELS,),
+        "biases": tuple(single(uniform(*ends, COUNT, k)[:, 0]) for k, ends in enumerate(BIASED, 1)),
         "ambients": (m,),
     }.get(folder, (colors,))
 
@@ -142,6 +167,8 @@ def extremes(folder: str, meta: Choice) -> Arguments:
     l, v, alpha = pairs()
     exponents = single(np.resize([0.0, 1.0, 1e4, 1e6], len(l)))
     m = material(np.sqrt(alpha), exponents)
+    every = np.array(list(itertools.product(*INDICES)))[np.arange(len(l)) % INDEX_COUNT]
+    metals = indices(every[:, 0], every[:, 1])
     angles = np.array(list(itertools.product(np.geomspace(1e-4, math.pi / 2, 60), ALPHAS)))
     h = np.stack([np.sin(angles[:, 0]), 0.0 * angles[:, 0], np.cos(angles[:, 0])], axis=-1)
     colors = single(list(itertools.product(LIGHTS, repeat=3)))
@@ -151,20 +178,24 @@ def extremes(folder: str, meta: Choice) -> Arguments:
         "models": (m, l, v),
         "distributions": (single(h), single(angles[:, 1])),
         "maskings": (l, v, halves(l, v), alpha),
-        "fresnels": (m, single(np.resize([0.0, 1e-7, 0.5, 1.0], len(l)))),
+        "fresnels": (
+            m | metals,
+            single(np.repeat([0.0, 1e-7, 1e-3, 0.5, 1.0], len(l) // 5)),
+        ),
         "attenuations": (distances if len(light) > 1 else single(DISTANCES), light),
-        "shadows": (colors,),
+        "shadows": LIT_POINTS,
+        "outlines": (PIXELS,),
+        "biases": tuple(single(list(itertools.product(*BIASED_EXTREMES))).T),
         "ambients": (m,),
     }.get(folder, (colors,))
 
 
-def read_fields(path: str, settings: Settings) -> set[str]:
+def read_fields(path: str, function: str, settings: Settings) -> set[str]:
     """The material fields that a file, assembled under the settings, reads."""
     menu = library()
-    resolved = resolve(menu, Scene(materials={}, objects={}), settings)
-    values = dict(define_values(menu, resolved))
-    source = assemble(menu, Request(path, "FRAGMENT", resolved.choices, values, EMPTY_LISTS))
-    return {field for file in source.files for field in menu.files[file].meta.material}
+    promised = menu.promised(path)
+    objects = promised is not None and function != promised
+    return material_fields(menu, source_of(menu, path, settings, objects=objects)[0])
 
 
 def evaluate(
@@ -177,63 +208,9 @@ def evaluate(
     given: list[Any] = []
     for argument in arguments:
         if isinstance(argument, dict) and "base_color" in argument:
-            fields = read_fields(path, chosen)
+            fields = read_fields(path, function, chosen)
             kept = {k: v for k, v in argument.items() if k in fields}
             given.append(kept)
         else:
             given.append(argument)
     return call(path, function, *given, settings=chosen, **where).astype(np.float64)
-
-
-NORMALS = unit(np.random.default_rng(4).normal(size=(COUNT, 3)))
-POLES = [[0, 0, 1], [0, 0, -1], [1, 0, 0], [0, -1, 0], [1e-4, 0, -1], [0, 1e-7, 1]]
-FACING = single(np.concatenate([NORMALS, POLES]))
-VIEWS = np.roll(FACING, 1, axis=0)
-EXPONENTS = 10.0 ** uniform(-1.0, 6.0)
-ANGLES = np.minimum(uniform(0.0, 6.0) / np.sqrt(EXPONENTS), 1.57)
-UNITS = tuple(single(uniform(0.01, 1.0, COUNT, k)[:, 0]) for k in (2, 3, 4, 5))
-GRAZING = pairs()
-TOWARDS = rays(10.0 ** uniform(-2.0, 4.0), uniform(0.0, 1.4, COUNT, 1)[:, 0])
-# Towards a sphere and away from it, from outside and from inside.
-RAYS = (np.tile(TOWARDS[0], (2, 1)), np.concatenate([TOWARDS[1], -TOWARDS[1]]), *TOWARDS[2:])
-BASE = material([0.5], [1.0]) | {"metalness": single(np.linspace(0.0, 1.0, COUNT))}
-
-# Arguments for the functions of lib/, by file and name.
-LIB: dict[tuple[str, str], Callable[[], Arguments]] = {
-    ("alpha", "alphaFromRoughness"): lambda: (single([0.0, 1e-3, 0.01, 0.3, 1.0]),),
-    ("base", "blendWithBase"): lambda: (BASE, single(uniform(0.0, 2.0, COUNT, 3))),
-    ("base", "overBase"): lambda: (
-        BASE, single(uniform(0.0, 1.0, COUNT, 3)), single(uniform(0.0, 2.0, COUNT, 3))),
-    ("display", "displayRange"): lambda: (single([*ODD, [2.0, 0.5, 1.0]]),),
-    ("frame", "facingNormal"): lambda: (
-        np.concatenate([FACING, FACING]), np.concatenate([VIEWS, -FACING])),
-    ("frame", "halfVector"): lambda: (
-        np.concatenate([FACING, FACING]), np.concatenate([VIEWS, -FACING])),
-    ("frame", "unitNormal"): lambda: (
-        FACING * single(10.0 ** uniform(-12.0, 3.0, len(FACING), 1)), VIEWS),
-    ("erf", "erfc"): lambda: (single([*np.linspace(-4.0, 9.0, COUNT), 0.0, -20.0]),),
-    ("fresnel", "fresnel0"): lambda: (UNITS[0] + 1, UNITS[1] + 2),
-    ("fresnel", "pow5"): lambda: (UNITS[0],),
-    ("invalid", "flagInvalid"): lambda: (single(ODD), single([[0.1, 0.2, 0.3]])),
-    ("invalid", "invalid"): lambda: (single(ODD),),
-    ("lambda_beckmann", "cosLambdaBeckmann"): lambda: (GRAZING[0], GRAZING[2]),
-    ("lambda_beckmann", "lambdaBeckmann"): lambda: (around(1e-3, 5), UNITS[0]),
-    ("lambda_beckmann_exact", "cosLambdaBeckmannExact"): lambda: (GRAZING[0], GRAZING[2]),
-    ("lambda_beckmann_exact", "lambdaBeckmannExact"): lambda: (around(1e-3, 5), UNITS[0]),
-    ("lambda_ggx", "slopeGgx"): lambda: (GRAZING[0], GRAZING[2]),
-    ("lambda_ggx", "lambdaGgx"): lambda: (around(1e-3, 5), UNITS[0]),
-    ("log1p", "log1p"): lambda: (
-        single([s * x for s in (-0.25, 0.25) for x in np.geomspace(1e-30, 1, 500)]),),
-    ("luminance", "luminance"): lambda: (single(uniform(0.0, 2.0, COUNT, 3)),),
-    ("smith", "smithCorrelated"): lambda: UNITS,
-    ("smith", "smithSeparable"): lambda: UNITS,
-    ("specular_power", "specularPower"): lambda: (
-        single([*np.cos(ANGLES), 0, 0, -1, -1, 1]), single([*np.sin(ANGLES) ** 2, 1, 1, 0, 0, 0]),
-        single([*EXPONENTS, 0, 1, 0, 1, 1e6])),
-    ("sphere", "sphereHit"): lambda: RAYS,
-    ("spot", "spot"): lambda: (
-        single([*uniform(-1.0, 1.0), 0.5, 0.5, 0.4999, 1, 1, -1]),
-        single([*uniform(0.0, 1.0, COUNT, 1)[:, 0], 0.5, 0.2, 0.5, 1, 0, -1]),
-        single([*uniform(-1.0, 0.0, COUNT, 1)[:, 0], 0.5, 0.5, 0.5, 1, 0, -1])),
-    ("tone", "hasTone"): lambda: (single([0.0, -1.0, 1.0, math.nan, math.inf, -math.inf, 1e38]),),
-}  # fmt: skip

@@ -1,5 +1,6 @@
 """What several tests share: folders of the checkout, the menu, what a picture must be."""
 
+import os
 import shutil
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -7,9 +8,10 @@ from pathlib import Path
 import lightbench as lb
 from lightbench.image import Image
 from lightbench.library import Library, read_library
-from lightbench.plan import Plan, plan
+from lightbench.plan import plan
+from lightbench.plan_types import Plan
 from lightbench.render import on_gl_thread, renderer
-from lightbench.scene import scene_names
+from lightbench.scene_file import scene_names
 from lightbench.settings import Setting
 
 ROOT = Path(__file__).parents[1]
@@ -60,3 +62,8 @@ def driver() -> list[str]:
 def assert_sound(image: Image) -> None:
     """No NaN, no infinity, nothing negative."""
     assert image.invalid().total == 0, image.invalid()
+
+
+def shared_models() -> Path:
+    """The folder of sample models, `shared/models` beside the checkout or in LIGHTBENCH_SHARED."""
+    return Path(os.environ.get("LIGHTBENCH_SHARED", ROOT.parent / "shared")) / "models"

@@ -33,12 +33,23 @@ EXPECTED_SURVIVORS: dict[str, dict[str, str]] = {
     "distributions/ggx_textbook.glsl": {
         "distribution: float d = -1.0 * ((h.z * a2 - h.z) * h.z + 1.0);": SQUARED,
     },
+    "fresnels/conductor.glsl": {
+        "fresnel: float c = clamp(VoH, GRAZING_COS, 2.0);": "a cosine exceeds 1 by its rounding only, where the reflectance is flat",
+        "fresnel: vec3 a = mix(larger, 0.5 * p / larger, lessThanEqual(d, vec3(0.0)));": TIE,
+        "fresnel: vec3 across = -1.0 * (c * c + r + 2.0 * c * a);": SQUARED,
+        "fresnel: vec3 minus = -1.0 * (c * a - sin2);": SQUARED,
+        "fresnel: vec3 plus = -1.0 * (c * a + sin2);": SQUARED,
+    },
     "fresnels/dielectric.glsl": {
         "fresnel: float c = clamp(VoH, GRAZING_COS, 2.0);": "a cosine exceeds 1 by its rounding only, where the reflectance is flat",
         "fresnel: vec3 across = -1.0 * (r * c + cosT);": SQUARED,
         "fresnel: vec3 along = -1.0 * (c + r * cosT);": SQUARED,
         "fresnel: vec3 Rs = -1.0 * (q / (across * across));": SQUARED,
         "fresnel: vec3 Rp = -1.0 * (q * (c * c * (1.0 + r * r) - r * r) / (along * along));": SQUARED,
+    },
+    "lib/conductor.glsl": {
+        "clearEta: vec3 s = -1.0 * (1.0 + sqrt(f0));": SQUARED,
+        "kOf: vec3 n = -1.0 * (clearEta(r));": SQUARED,
     },
     "lib/erf.glsl": {
         "erfc: float t2 = -1.0 * (t * t);": SQUARED,

@@ -24,7 +24,8 @@ from lightbench.api import create_app
 from lightbench.library import read_library
 from lightbench.paths import scenes_folder, shaders_folder
 from lightbench.render import on_gl_thread
-from lightbench.scene import scene_names
+from lightbench.scene import Camera
+from lightbench.scene_file import scene_names
 from tests.support import copy_of_shaders
 
 SMALL = {"width": "32", "height": "24"}
@@ -92,7 +93,7 @@ def test_options_hold_every_file_and_parameter(client: TestClient) -> None:
     for choice in found["choices"].values():
         named |= {key for item in choice["allowed"].values() for key in item["parameters"]}
     assert named == {key for file in library.files.values() for key in file.meta.parameters}
-    assert found["scene"]["camera"] == ["eye", "target", "up", "fov"]
+    assert found["scene"]["camera"] == list(Camera.model_fields)
 
 
 def test_every_default_of_the_options_is_accepted(client: TestClient) -> None:
@@ -285,7 +286,7 @@ def test_etag_follows_all_that_the_picture_depends_on(
     monkeypatch.setenv("LIGHTBENCH_SHADERS", str(shaders))
     assert etag() in tags
     file = shaders / "transfers/srgb.glsl"
-    file.write_text(file.read_text() + "\nconst float UNUSED = 1.0;\n")
+    file.write_text(file.read_text() + "\nfloat unused() {\n    return 1.0;\n}\n")
     assert etag() not in tags
 
 
@@ -321,7 +322,7 @@ def test_healthz(client: TestClient) -> None:
 def test_openapi_describes_every_route(client: TestClient) -> None:
     paths = client.get("/openapi.json").json()["paths"]
     assert sorted(paths) == [
-        "/api/options", "/api/render", "/api/render/{name}.{format}", "/api/scenes",
+        "/api/models", "/api/options", "/api/render", "/api/render/{name}.{format}", "/api/scenes",
         "/api/scenes/{name}", "/healthz",
     ]  # fmt: skip
     parameters = paths["/api/render/{name}.{format}"]["get"]["parameters"]

@@ -6,10 +6,11 @@ from typing import Any
 
 import pytest
 
-from lightbench.assemble import Request, assemble, explain
+from lightbench.assemble import Request, assemble
 from lightbench.errors import LightbenchError, ShaderError
 from lightbench.expression import evaluate
 from lightbench.library import Library
+from lightbench.shader_log import explain
 from tests.support import ROOT
 
 FIXTURES = ROOT / "tests" / "fixtures"

@@ -63,7 +63,8 @@ def test_every_file_is_what_the_service_answers(baked: Path) -> None:
 def test_manifest_holds_the_menu_the_scenes_and_their_schema(baked: Path) -> None:
     manifest = json.loads((baked / "data/manifest.json").read_text())
     assert set(manifest) == {
-        "folders", "files", "material_fields", "icosphere_errors", "scenes", "schema",
+        "folders", "files", "material_fields", "icosphere_errors", "scenes", "materials",
+        "schema",
     }  # fmt: skip
     assert sorted(manifest["scenes"]) == presets()
     assert manifest["files"].keys() == read_library(shaders_folder()).files.keys()

@@ -19,9 +19,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import lightbench as lb
+from lightbench.front_matter import Parameter
 from lightbench.glsl import call
 from lightbench.image import Image
-from lightbench.library import Parameter
 from lightbench.scene import Scene
 from lightbench.values import MAX_CANDELA
 from tests.browser import browsing, render_in, serving
@@ -71,9 +71,14 @@ def dimmed(preset: str, given: Settings) -> Settings:
 
 # Settings at random
 
+# What a hundred pictures should not pay for: the largest maps have a test of their own.
+COSTLY = {"shadow_resolution": (256, 512)}
 
-def values(parameter: Parameter) -> st.SearchStrategy[Any]:
+
+def values(name: str, parameter: Parameter) -> st.SearchStrategy[Any]:
     """Anything that a slider can give, its ends as often as what lies between."""
+    if name in COSTLY:
+        return st.sampled_from(COSTLY[name])
     if parameter.kind == "bool":
         return st.booleans()
     if parameter.kind == "color":
@@ -97,7 +102,7 @@ def menu() -> st.SearchStrategy[Settings]:
     choices = {f.setting: st.sampled_from(found.stable(n)) for n, f in found.folders.items()}
     parameters = {n: p for file in found.files.values() for n, p in file.meta.parameters.items()}
     return st.fixed_dictionaries(
-        choices, optional={name: values(p) for name, p in parameters.items()}
+        choices, optional={name: values(name, p) for name, p in parameters.items()}
     )
 
 
@@ -130,7 +135,7 @@ def places(scene: Scene) -> list[list[float]]:
 def lights(scene: Scene) -> st.SearchStrategy[Settings]:
     """Each light somewhere, as bright and as wide as it may be."""
     parameters = {
-        name: values(parameter)
+        name: values(name, parameter)
         for file in library().files.values()
         for name, parameter in file.meta.parameters.items()
         if parameter.per == "light"
@@ -158,7 +163,7 @@ def light_settings(name: str, given: Mapping[str, Any]) -> Settings:
 
 
 @pytest.mark.parametrize("preset", presets())
-@settings(derandomize=True, database=None, deadline=None, max_examples=100)
+@settings(derandomize=True, database=None, deadline=None, max_examples=25)
 @given(data=st.data())
 def test_any_settings(preset: str, data: st.DataObject) -> None:
     scene = lb.load(preset)
@@ -241,10 +246,13 @@ def test_a_white_of_zero_makes_everything_white() -> None:
 
 SCALES = {"1e-3": 1e-3, "1e3": 1e3, "2^10": 1024.0, "2^-10": 2.0**-10}
 # Each light shrinks to its smallest radius; the polynomial's coefficients have units of their own.
-LAWFUL: Settings = {"attenuation": "inverse_square", "light_radius": 1e-4}
+# An outline's width is said at 1 m.
+LAWFUL: Settings = {"attenuation": "inverse_square", "light_radius": 1e-4, "outline": "none"}
 # Relative error of a pixel, of no less than a thousandth of a unit of radiance: what rounding the
-# other numbers costs. A power of two rounds nothing.
+# other numbers costs. A power of two rounds nothing. One pixel of a hundred with maps or shadows
+# may show how texels are filtered, and which side of a shadow's edge it is on.
 SCALED, MOVED = 1e-4, 1e-6
+EDGE_PIXELS = 0.01
 
 
 def scaled(scene: Scene, factor: float) -> Scene:
@@ -271,8 +279,9 @@ def placed(data: Any) -> list[Any]:
     return [data["camera"], *data["lights"].values(), *data["objects"].values()]
 
 
-def worst(preset: str, change: Callable[[Scene], Scene], **more: Any) -> float:
-    """Largest relative error of a pixel between a preset and the changed one."""
+def worst(preset: str, change: Callable[[Scene], Scene], loose: float = 0.0, **more: Any) -> float:
+    """Largest relative error of a pixel between a preset and the changed one, but for a share of
+    the pixels where the preset has textures or shadows."""
     here = lb.load(preset)
     sizes = (160, 120)
     want = lb.render(here, sizes, **LAWFUL, **more)
@@ -280,22 +289,27 @@ def worst(preset: str, change: Callable[[Scene], Scene], **more: Any) -> float:
     assert_sound(want)
     assert_sound(got)
     off = np.abs(got.linear.astype(np.float64) - want.linear)
-    return float((off / np.maximum(want.linear, 1e-3)).max())
+    every = (off / np.maximum(want.linear, 1e-3)).max(axis=2)
+    detailed = bool(here.textures) or here.settings.get("shadow", "none") != "none"
+    return float(np.quantile(every, 1.0 - detailed * loose))
 
 
 MODELS = library().choices("models")
+# A model that jumps shows on which side of its edge a pixel was rounded.
+SMOOTH = [m for m in MODELS if "continuity" not in library().files[f"models/{m}.glsl"].meta.breaks]
 
 
-def error_of(change: Callable[[Scene], Scene]) -> float:
-    """That of the worst pixel of any preset under any model."""
-    return max(worst(preset, change, model=m) for preset in presets() for m in MODELS)
+def error_of(change: Callable[[Scene], Scene], loose: float = 0.0) -> float:
+    """That of the worst pixel of any preset under any smooth model."""
+    return max(worst(preset, change, loose, model=m) for preset in presets() for m in SMOOTH)
 
 
 @pytest.mark.parametrize("name", list(SCALES))
 def test_a_scene_of_another_size(name: str, note: Callable[[str], None]) -> None:
-    off = error_of(lambda scene: scaled(scene, SCALES[name]))
+    power = name.startswith("2^")
+    off = error_of(lambda scene: scaled(scene, SCALES[name]), 0.0 if power else EDGE_PIXELS)
     note(f"every preset scaled by {name}: each pixel within {off:.1e}")
-    assert off <= (0.0 if name.startswith("2^") else SCALED)
+    assert off <= (0.0 if power else SCALED)
 
 
 def test_a_scene_in_another_place(note: Callable[[str], None]) -> None:
@@ -364,16 +378,15 @@ def test_flux_through_hardly_any_cone_is_finite() -> None:
 
 # Normals without a length
 
-SHORT = ("v_normal = u_normal_matrix * a_normal;", "v_normal = u_normal_matrix * a_normal * {};")
 NORMALS = (0.0, 1e-40, 1e-30, 1e-12)
 
 
 def no_normals(folder: Path, factor: str) -> Path:
     """A shader folder whose meshes have normals as short as that."""
-    text = (SHADERS / "passes" / "forward.glsl").read_text()
-    old, new = SHORT
+    text = (SHADERS / "stages" / "object.glsl").read_text()
+    old, new = "u_normal_matrix * a_normal;", f"u_normal_matrix * a_normal * {factor};"
     assert text.count(old) == 1
-    return copy_of_shaders(folder, {"passes/forward.glsl": text.replace(old, new.format(factor))})
+    return copy_of_shaders(folder, {"stages/object.glsl": text.replace(old, new)})
 
 
 def test_zero_length_normals_of_a_function(tmp_path: Path) -> None:

@@ -277,8 +277,8 @@ def test_a_model_that_does_not_ask_where_light_comes_from(
 
 
 def test_a_shadow_takes_its_share(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    code = "float shadow(vec3 position) { return 0.25; }"
-    shadow = {"shadows/dim.glsl": TITLE + code}
+    code = "float shadow(int light, Receiver r) { return 0.25; }"
+    shadow = {"shadows/dim.glsl": TITLE + '#include "lib/receiver.glsl"\n' + code}
     image = picture(tmp_path, monkeypatch, shadow, shadow="dim", ambient="none")
     assert np.array_equal(image.linear, lb.render(ROOM, SIZE, ambient="none").linear * 0.25)
 

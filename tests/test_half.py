@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from lightbench.assemble import Request, assemble
+from lightbench.batches import light_lists
 from lightbench.errors import ShaderError
 from lightbench.glsl import call
 from lightbench.half import HALF, halved
@@ -156,7 +157,9 @@ def test_every_file_is_halved_on_its_own_lines() -> None:
     found = library()
     names = {f.setting: f.default for f in found.folders.values()}
     values = {n: 0.0 for file in found.files.values() for n in file.meta.parameters}
-    lists: dict[str, Any] = {"LIGHTS": (), "POSITIONAL_LIGHTS": (), "SPOT_LIGHTS": ()}
+    values |= {"draws_objects": 1.0, "orthographic": 0.0, "signed": 0.0}
+    lamp = {"index": "0", "point": "1", "directional": "0", "spot": "0", "positional": "1"}
+    lists = light_lists((tuple({**lamp, "casts": "1", "cube": "1"}.items()),))
     for path, file in found.files.items():
         if path.startswith("passes/") or path == "lib/screen.glsl":
             continue
@@ -164,6 +167,6 @@ def test_every_file_is_halved_on_its_own_lines() -> None:
         after = halved(text)
         assert after.count("\n") == text.count("\n")
         for name in file.functions:
-            assert f" {name}(" in after
+            assert (f" {name}(" in after) == (f" {name}(" in text)
         floats = text.count("return ")
         assert after.count(f"return {HALF}(") <= floats

@@ -177,6 +177,17 @@ def test_the_sources_are_those_that_run(open_page: Open) -> None:
     expect(dialog).to_have_count(0)
 
 
+def test_shadow_maps_are_drawn_again_only_when_something_moves(open_page: Open) -> None:
+    page = open_page("#box-room&shadow=hard")
+    runs = "window.lightbench.runs()"
+    before = page.evaluate(runs)
+    drag(page, 60, 0)
+    page.wait_for_function(f"(n) => {runs}.forward > n", arg=before["forward"])
+    assert page.evaluate(runs)["shadow_map"] == before["shadow_map"]
+    page.evaluate("location.hash += '&objects.cube.position=0.1,0.5,0'")
+    page.wait_for_function(f"(n) => {runs}.shadow_map > n", arg=before["shadow_map"])
+
+
 def test_reload_restores_picture_and_panel(open_page: Open) -> None:
     page = open_page("#metals&model=blinn_phong&exposure=1&camera.fov=50")
     page.reload()
@@ -226,6 +237,45 @@ def test_lights_show_the_parameters_of_the_falloff_in_use(open_page: Open) -> No
     page.get_by_label("Falloff with distance", exact=True).select_option("inverse_square")
     expect(c2).to_have_count(0)
     expect(row(page, "lights.lamp.light_radius", "lights")).to_be_visible()
+
+
+def test_a_material_is_taken_from_the_library(open_page: Open) -> None:
+    page = open_page("#single-sphere&materials.surface.roughness=0.9")
+    page.get_by_role("tab", name="Material").click()
+    fold = page.locator('[data-group="materials.surface"]')
+    library = fold.get_by_role("combobox", name="From the library")
+    library.select_option("Copper")
+    # What was set of the material before is copper's now.
+    page.wait_for_function(
+        "window.lightbench.link().endsWith('#single-sphere&materials.surface.library=copper')"
+    )
+    expect(fold).to_contain_text("Source: Rakic et al. 1998")
+    expect(fold.get_by_role("textbox", name="Roughness")).to_have_value("0.32")
+    expect(fold.get_by_label("Index η, red", exact=True)).to_have_count(0)
+    page.get_by_role("tab", name="Model").click()
+    page.get_by_label("Fresnel F", exact=True).select_option("conductor")
+    page.get_by_role("tab", name="Material").click()
+    expect(fold.get_by_role("textbox", name="Index η, green")).to_have_value("0.677")
+    green = row(page, "materials.surface.eta/green", "material")
+    green.focus()
+    page.keyboard.press("ArrowRight")
+    assert settings(page)["materials.surface.eta"] == "0.271,0.69,1.316"
+    library.select_option("Its own values")
+    page.wait_for_function("window.lightbench.link().endsWith('#single-sphere&fresnel=conductor')")
+
+
+def test_views_stand_under_headings_and_lights_have_names(open_page: Open) -> None:
+    page = open_page("#box-room&shadow=hard")
+    page.get_by_role("tab", name="Picture").click()
+    view = page.get_by_label("View", exact=True)
+    headings = view.locator("optgroup").evaluate_all("all => all.map((one) => one.label)")
+    assert set(headings) == {"The picture", "The surface, without lights", "Under the lights"}
+    expect(view.locator("option", has_text="Overdraw")).to_have_attribute(
+        "title", re.compile("shaded when nothing is hidden")
+    )
+    view.select_option("A light's depth")
+    page.get_by_label("Light", exact=True).select_option("Spot")
+    page.wait_for_function("window.lightbench.link().includes('depth_light=1')")
 
 
 def test_auto_shows_the_derived_value_and_can_be_left(open_page: Open) -> None:

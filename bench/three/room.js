@@ -3,6 +3,8 @@
 import * as THREE from 'three';
 
 const SPHERE = 'icosphere-5';
+// Bytes before a mesh's positions: vertices, indices and flags, which these shapes have none of.
+const HEADER = 12;
 const meshKey = (thing) => ({
   sphere: SPHERE,
   cone: `cone-${thing.stacks}x${thing.sectors}`,
@@ -12,12 +14,12 @@ const color = (triple) => new THREE.Color().setRGB(...triple, THREE.LinearSRGBCo
 
 async function geometry(key) {
   const data = await (await fetch(`/data/meshes/${key}.bin`)).arrayBuffer();
-  const [vertices, indices] = new Uint32Array(data, 0, 2);
+  const [vertices, indices] = new Uint32Array(data, 0, HEADER / 4);
   const result = new THREE.BufferGeometry();
-  result.setAttribute('position', new THREE.BufferAttribute(new Float32Array(data, 8, vertices * 3), 3));
+  result.setAttribute('position', new THREE.BufferAttribute(new Float32Array(data, HEADER, vertices * 3), 3));
   result.setAttribute('normal', new THREE.BufferAttribute(
-    new Float32Array(data, 8 + vertices * 12, vertices * 3), 3));
-  result.setIndex(new THREE.BufferAttribute(new Uint32Array(data, 8 + vertices * 48, indices), 1));
+    new Float32Array(data, HEADER + vertices * 12, vertices * 3), 3));
+  result.setIndex(new THREE.BufferAttribute(new Uint32Array(data, HEADER + vertices * 48, indices), 1));
   return result;
 }
 

@@ -17,14 +17,16 @@ from fastapi.staticfiles import StaticFiles
 from pydantic import BaseModel, ConfigDict, Field
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
-from lightbench import atlas_data
+from lightbench import assets, atlas_data
 from lightbench.answers import BusyError, Problem, answer, json_answer, refuse_all
-from lightbench.errors import LightbenchError
+from lightbench.errors import LightbenchError, ModelError
+from lightbench.gltf import Limits
 from lightbench.image import FORMATS
 from lightbench.library import read_library
 from lightbench.options import manifest, options, preset, scenes, version
 from lightbench.paths import scenes_folder, shaders_folder, web_folder
 from lightbench.pictures import MAX_SIDE, Format, Wanted, gl, picture, thumb, warm_up
+from lightbench.scene_file import model_scene
 from lightbench.shapes import mesh, pack
 
 __all__ = ["create_app"]
@@ -86,8 +88,11 @@ data = APIRouter(prefix="/data", include_in_schema=False)
 health = APIRouter(responses={503: PROBLEMS[503]})
 
 
-def create_app() -> FastAPI:
-    """The service, reading shaders and scenes from where `paths` says at each request."""
+def create_app(limits: Limits | None = None) -> FastAPI:
+    """The service, reading shaders and scenes from where `paths` says at each request.
+
+    `limits` bound the models that it takes.
+    """
     app = FastAPI(
         title="Lightbench",
         version=version(),
@@ -96,6 +101,7 @@ def create_app() -> FastAPI:
     )
     app.state.workers = anyio.CapacityLimiter(WORKERS)
     app.state.pending = 0
+    app.state.limits = limits or Limits()
     excluded = (*DEFAULT_EXCLUDED_CONTENT_TYPES, *(media for _, media in FORMATS.values()))
     app.add_middleware(GZipMiddleware, compresslevel=5, exclude_content_types=excluded)
     refuse_all(app)
@@ -175,6 +181,42 @@ async def post_render(request: Request, body: RenderRequest, known: Known = None
     return await _queued(request, lambda: picture(wanted, known))
 
 
+@api.post(
+    "/models",
+    summary="A model of your own",
+    responses={200: {"description": "The scene of the model, to edit and to post to /api/render"}},
+    openapi_extra={
+        "requestBody": {
+            "required": True,
+            "content": {"model/gltf-binary": {"schema": {"type": "string", "format": "binary"}}},
+        }
+    },
+)
+async def post_model(
+    request: Request,
+    name: Annotated[str, Query(max_length=200, description="for messages and the title")] = "model",
+) -> Response:
+    """A glTF file (.glb, or a .gltf that refers to nothing beside it) as a scene.
+
+    Its meshes and images are kept until newer uploads need the room.
+    """
+    limits: Limits = request.app.state.limits
+    content = await _body(request, limits.file_bytes, name)
+    return await _queued(
+        request, lambda: json_answer(request, model_scene(content, limits, name).data())
+    )
+
+
+async def _body(request: Request, most: int, name: str) -> bytes:
+    """The request's body, refused as soon as it is too large."""
+    content = bytearray()
+    async for chunk in request.stream():
+        content += chunk
+        if len(content) > most:
+            raise ModelError(f"{name}: is larger than the {most} bytes that are allowed")
+    return bytes(content)
+
+
 @health.get("/healthz", summary="Health")
 def healthz() -> dict[str, str]:
     """Whether the service can render, and with what."""
@@ -194,6 +236,11 @@ def get_scene_file(request: Request, name: str) -> Response:
 @data.get("/meshes/{key}.bin")
 def get_mesh(key: str, known: Known = None) -> Response:
     return answer(pack(mesh(key)), "application/octet-stream", known)
+
+
+@data.get("/textures/{key}.png")
+def get_texture(key: str, known: Known = None) -> Response:
+    return answer(assets.image(key), "image/png", known)
 
 
 @data.get("/atlas.json")

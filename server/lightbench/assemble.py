@@ -5,34 +5,40 @@ the defines, parameters and samplers that this code names.
 """
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from lightbench.errors import LightbenchError, ShaderError
 from lightbench.expression import evaluate
 from lightbench.library import GLSL_TYPES, Library
+from lightbench.prune import live
+from lightbench.surface import NO_PATTERN, Pattern, pattern_lists
 
-__all__ = ["Request", "Source", "assemble", "explain"]
+__all__ = ["Request", "Source", "assemble"]
 
 Record = Mapping[str, str]
 Line = tuple[int, str]
 
 _DIRECTIVE = re.compile(r"\s*#\s*(\w*)\s*(.*?)\s*$")
 _INCLUDE = re.compile(r'(?:"([^"]+)"|<(\w+)>)$')
+# Fields that only the base under the facets has.
+BASE_FIELDS = ("base_color", "kd")
+
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _UNIFORM = re.compile(
     r"^\s*uniform\s+(?:(?:high|medium|low)p\s+)?(\w+)\s+(u_\w+)\s*;", re.MULTILINE
 )
 _ATTRIBUTE = re.compile(r"^\s*in\s+(\w+)\s+(a_\w+)\s*;", re.MULTILINE)
-_ERROR = re.compile(r"(?:ERROR:\s*)?\b0[:(](\d+)\)?(?:\(\d+\))?\s*:\s*(.*)")
+_TAKEN = re.compile(r"^\s*in\s+\w+\s+(v_\w+)\s*;", re.MULTILINE)
 
 
 @dataclass(frozen=True)
 class Request:
     """What to assemble: one stage of one file, under fully resolved settings.
 
-    `values` holds the int and bool parameters and the counts (each a define), `lists` the records
-    that `#for` repeats over.
+    `values` holds the int and bool parameters and other defines, `lists` the records that `#for`
+    repeats over, `pattern` how a surface varies. `varyings` are those that the fragment stage takes
+    in: the vertex stage's others go.
     """
 
     entry: str
@@ -40,6 +46,8 @@ class Request:
     choices: Mapping[str, str]
     values: Mapping[str, float]
     lists: Mapping[str, tuple[Record, ...]] = field(default_factory=dict)
+    pattern: Pattern = NO_PATTERN
+    varyings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -52,6 +60,7 @@ class Source:
     settings: tuple[str, ...]
     uniforms: Mapping[str, str]
     attributes: Mapping[str, str]
+    varyings: tuple[str, ...]
 
 
 def assemble(library: Library, request: Request) -> Source:
@@ -60,42 +69,57 @@ def assemble(library: Library, request: Request) -> Source:
     Raises ShaderError naming file and line for a missing or cyclic include, an undefined name in
     `#if` or an unbalanced directive.
     """
-    first = _Expansion(library, request, {"MATERIAL_FIELDS": (), "LIGHT_FIELDS": ()})
-    expansion = _Expansion(library, request, _field_lists(library, first.files))
-    body = "\n".join(text for text, _, _ in expansion.output)
+    first = _Expansion(library, request, *_field_lists(library, request, ()))
+    expansion = _Expansion(library, request, *_field_lists(library, request, first.files))
+    output = live(expansion.output, request.stage, request.varyings)
+    body = "\n".join(text for text, _, _ in output)
     head = _prologue(library, expansion, set(_NAME.findall(body)))
     text = "\n".join([*head, body, ""])
     return Source(
         text=text,
         lines=(
             *(f"prologue:{number}" for number in range(1, len(head) + 1)),
-            *(f"{file}:{line}" for _, file, line in expansion.output),
+            *(f"{file}:{line}" for _, file, line in output),
         ),
         files=tuple(expansion.files),
         settings=tuple(expansion.settings),
         uniforms={name: kind for kind, name in _UNIFORM.findall(text)},
         attributes={name: kind for kind, name in _ATTRIBUTE.findall(text)},
+        varyings=tuple(sorted(_TAKEN.findall(text))),
     )
 
 
-def _field_lists(library: Library, files: Iterable[str]) -> dict[str, tuple[Record, ...]]:
+def _field_lists(
+    library: Library, request: Request, files: Iterable[str]
+) -> tuple[dict[str, tuple[Record, ...]], dict[str, float]]:
+    """The lists and defines that follow from what the files say that they read."""
     metas = [library.files[path].meta for path in files]
     read = {name for meta in metas for name in meta.material}
     light = {name for m in metas for name, p in m.parameters.items() if p.per == "light"}
     material = library.material_fields.items()
-    return {
-        "MATERIAL_FIELDS": tuple({"type": t, "name": n} for n, t in material if n in read),
+    parts = {part for meta in metas for part in meta.surface}
+    lists, defines = pattern_lists(request.pattern, read, parts)
+    lists |= {
+        "MATERIAL_FIELDS": tuple(
+            {"type": t, "name": n, "base": str(int(n in BASE_FIELDS))}
+            for n, t in material
+            if n in read
+        ),
         "LIGHT_FIELDS": tuple({"type": "float", "name": n} for n in sorted(light)),
     }
+    return lists, defines
 
 
 def _prologue(library: Library, expansion: "_Expansion", used: set[str]) -> list[str]:
     """Version, precision, and the declarations that the code asks for, in a fixed order."""
     uniforms: dict[str, str] = {}
     samplers: set[str] = set()
+    casters = [record["index"] for record in expansion.lists.get("CASTERS", ())]
     for path in expansion.files:
         meta = library.files[path].meta
-        samplers.update(f"u_{name}" for name in meta.reads)
+        for name in meta.reads:
+            several = library.per_light(name)
+            samplers.update(f"u_{name}{i}" for i in (casters if several else ("",)))
         for name, parameter in meta.parameters.items():
             if parameter.kind in GLSL_TYPES and parameter.per == "frame":
                 uniforms[f"u_{name}"] = GLSL_TYPES[parameter.kind]
@@ -114,11 +138,15 @@ class _Expansion:
     """One run over the entry file and all it includes."""
 
     def __init__(
-        self, library: Library, request: Request, fields: Mapping[str, tuple[Record, ...]]
+        self,
+        library: Library,
+        request: Request,
+        fields: Mapping[str, tuple[Record, ...]],
+        defines: Mapping[str, float],
     ) -> None:
         self.library, self.choices = library, request.choices
         self.lists = {**request.lists, **fields}
-        self.defines = _defines(library, request, self.lists)
+        self.defines = {**_defines(library, request, self.lists), **defines}
         self.files: list[str] = []
         self.settings: list[str] = []
         self.output: list[tuple[str, str, int]] = []
@@ -245,18 +273,3 @@ def _defines(
             define = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", function).upper()
             defines[define] = float(function in file.functions)
     return defines
-
-
-def explain(log: str, text: str, lines: Sequence[str]) -> str:
-    """A GL compile log with every position turned into `file:line` and its excerpt.
-
-    `lines[i]` says where line i of the specialised `text` comes from, as `file:line`.
-    """
-    code = text.split("\n")
-    found = []
-    for raw in log.splitlines():
-        match = _ERROR.search(raw)
-        if match and 0 < int(match[1]) <= len(lines):
-            at = int(match[1]) - 1
-            found.append(f"{lines[at]}: {match[2].strip()}\n    {code[at].strip()}")
-    return "\n".join(found) or log.strip()

@@ -19,11 +19,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lightbench.atlas import PRECISIONS, Precision
+from lightbench.batches import ById
 from lightbench.exact import reference
 from lightbench.glsl import prepare
 from lightbench.glsl_run import Prepared, one_call, program, sampler
 from lightbench.library import Library
-from lightbench.plan import ById
 from lightbench.sweep import Input, Sweep, points, sweep_of, sweeps
 from lightbench.sweep_arguments import Given, arguments, doubled
 

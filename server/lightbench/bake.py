@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from lightbench import atlas_data, render_plan
+from lightbench import assets, atlas_data, render_plan
 from lightbench.errors import LightbenchError
 from lightbench.library import Library, read_library
 from lightbench.options import THUMB, manifest, preset, version
 from lightbench.paths import scenes_folder, shaders_folder, web_folder
-from lightbench.scene import Scene, scene_names
+from lightbench.scene import Scene
+from lightbench.scene_file import scene_names
 from lightbench.shapes import ICOSPHERE_ERRORS, mesh, pack
 
 __all__ = ["bake", "mesh_keys", "require_web"]
@@ -58,11 +59,12 @@ def require_web() -> Path:
 
 
 def mesh_keys(scenes: list[Scene]) -> list[str]:
-    """Every mesh that the page may ask for: all spheres, and the cones of these scenes."""
+    """Every mesh that the page may ask for: all spheres, these scenes' cones and models."""
+    models = {asset.mesh for scene in scenes for asset in scene.meshes.values()}
     things = (thing for scene in scenes for thing in scene.objects.values())
     cones = {f"cone-{t.stacks}x{t.sectors}" for t in things if t.shape == "cone"}
     spheres = [f"icosphere-{level}" for level in range(len(ICOSPHERE_ERRORS))]
-    return ["plane", "cube", *spheres, *sorted(cones)]
+    return ["plane", "cube", *spheres, *sorted(cones), *sorted(models)]
 
 
 def _files(library: Library, root: Path) -> Iterator[tuple[str, bytes]]:
@@ -75,6 +77,9 @@ def _files(library: Library, root: Path) -> Iterator[tuple[str, bytes]]:
         yield f"thumbs/{name}.png", render_plan(scene, THUMB, {}).png()
     for key in mesh_keys(list(presets.values())):
         yield f"meshes/{key}.bin", pack(mesh(key))
+    images = {texture.image for scene in presets.values() for texture in scene.textures.values()}
+    for key in sorted(images):
+        yield f"textures/{key}.png", assets.image(key)
     yield "atlas.json", _json(atlas_data.index(library))
     yield from atlas_data.documents(library)
 

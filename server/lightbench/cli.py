@@ -9,9 +9,10 @@ from typing import NoReturn
 
 import click
 
-from lightbench.cli_options import assignments_of, folders, size_of
+from lightbench.cli_figures import figures
+from lightbench.cli_options import assignments_of, folders, limits_of, size_of
 from lightbench.cli_stability import atlas, forms
-from lightbench.errors import LightbenchError, NotFoundError
+from lightbench.errors import LightbenchError
 
 __all__ = ["main"]
 
@@ -67,6 +68,14 @@ def cli(context: click.Context) -> None:
     help="Of `lightbench options`, or the scene's own, as camera.fov=60; the last one counts.",
 )  # fmt: skip
 @click.option("--view", metavar="VIEW", help="What to show of the picture, as --set view=VIEW.")
+@click.option(
+    "--attachment", metavar="NAME",
+    help="Save what a pass writes, as it is: radiance, normal_distance, shadow_map.0, ...",
+)  # fmt: skip
+@click.option(
+    "--limit", "limits", metavar="NAME=NUMBER", multiple=True, callback=limits_of,
+    help="Largest model that is read, as triangles=1000000; again for others.",
+)  # fmt: skip
 @folders
 def render(
     scene: str,
@@ -74,15 +83,20 @@ def render(
     size: tuple[int, int],
     settings: dict[str, str],
     view: str | None,
+    attachment: str | None,
+    limits: dict[str, int],
 ) -> None:
-    """Render SCENE, a preset's name or the path of a scene .json, to a file."""
+    """Render SCENE, a preset's name or the path of a scene .json, .glb or .gltf, to a file."""
     from lightbench import load, render_plan
+    from lightbench.gltf import Limits
 
     path = Path(output if output is not None else f"{Path(scene).stem}.png")
-    _check_model(scene)
-    loaded = load(scene)
+    loaded = load(scene, Limits(**limits))
     _check_ending(path)
-    image = render_plan(loaded, size, settings | ({} if view is None else {"view": view}))
+    given = settings | ({} if view is None else {"view": view})
+    image = render_plan(loaded, size, given, attachment or "linear")
+    if attachment is not None:
+        image = image.as_stored()
     image.save(path)
     height, width = image.linear.shape[:2]
     click.echo(f"{path}  {width}x{height}  {image.milliseconds:.1f} ms  {image.renderer}")
@@ -104,31 +118,25 @@ def _check_ending(path: Path) -> None:
         )
 
 
-def _check_model(scene: str) -> None:
-    from lightbench.paths import scenes_folder
-    from lightbench.scene import scene_names
-
-    if Path(scene).suffix.lower() in (".glb", ".gltf"):
-        names = ", ".join(scene_names(scenes_folder()))
-        raise NotFoundError(
-            f"{scene}: glTF models cannot be read yet; allowed are a scene .json, or: {names}"
-        )
-
-
 @cli.command()
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
 @click.option("--port", type=click.IntRange(0, 65535), default=8000, show_default=True)
+@click.option(
+    "--limit", "limits", metavar="NAME=NUMBER", multiple=True, callback=limits_of,
+    help="Largest model that is taken, as file_bytes=10000000; again for others.",
+)  # fmt: skip
 @folders
-def serve(host: str, port: int) -> None:
+def serve(host: str, port: int, limits: dict[str, int]) -> None:
     """Serve the playground and the REST service."""
     import uvicorn
 
     from lightbench.api import create_app
+    from lightbench.gltf import Limits
     from lightbench.library import read_library
     from lightbench.paths import shaders_folder
 
     read_library(shaders_folder())
-    app = create_app()
+    app = create_app(Limits(**limits))
     with _listen(host, port) as listener:
         shown = f"[{host}]" if ":" in host else host
         click.echo(f"Lightbench at http://{shown}:{listener.getsockname()[1]} (REST at /docs)")
@@ -203,6 +211,7 @@ def bake(folder: Path) -> None:
 
 cli.add_command(atlas)
 cli.add_command(forms)
+cli.add_command(figures)
 
 if __name__ == "__main__":
     main()

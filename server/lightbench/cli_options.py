@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 
 import click
 
-__all__ = ["assignments_of", "axes_of", "calls_of", "folders", "size_of"]
+__all__ = ["assignments_of", "axes_of", "calls_of", "folders", "limits_of", "size_of"]
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -31,6 +31,22 @@ def assignments_of(
             raise click.BadParameter(f"{value!r} is not NAME=VALUE, such as model=phong")
         settings[name] = text
     return settings
+
+
+def limits_of(
+    _context: click.Context, _option: click.Parameter, values: tuple[str, ...]
+) -> dict[str, int]:
+    """NAME=NUMBER of a model's limits, any number of times."""
+    from lightbench.gltf import Limits
+
+    found = {}
+    for value in values:
+        name, _, number = value.partition("=")
+        if name not in Limits.model_fields or not re.fullmatch(r"[1-9]\d{0,9}", number, re.ASCII):
+            known = ", ".join(Limits.model_fields)
+            raise click.BadParameter(f"{value!r} is not NAME=NUMBER of one of: {known}")
+        found[name] = int(number)
+    return found
 
 
 def calls_of(

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from lightbench.errors import LightbenchError, ShaderError
 
-__all__ = ["argument_types", "check_contract"]
+__all__ = ["argument_types", "check_contract", "same_arguments"]
 
 _FUNCTION = re.compile(r"^[ \t]*(\w+)\s+(\w+)\s*\(([^()]*)\)\s*\{", re.MULTILINE)
 
@@ -22,6 +22,12 @@ def argument_types(arguments: str) -> tuple[str, ...]:
     """The types of a GLSL argument list, qualifiers left out."""
     words = [[w for w in a.split() if w not in ("in", "const")] for a in arguments.split(",")]
     return tuple(w[0] for w in words if w and w != ["void"])
+
+
+def same_arguments(promised: str, optional: Sequence[str]) -> list[str]:
+    """Names of the functions of a folder that take what the one it promises takes."""
+    wanted = _signature(promised)[2]
+    return [name for _, name, types in map(_signature, (promised, *optional)) if types == wanted]
 
 
 def check_contract(name: str, code: str, promised: str, optional: Sequence[str]) -> dict[str, int]:

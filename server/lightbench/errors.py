@@ -3,6 +3,7 @@
 __all__ = [
     "GraphicsError",
     "LightbenchError",
+    "ModelError",
     "NotFoundError",
     "SceneError",
     "SettingError",
@@ -21,6 +22,10 @@ class ShaderError(LightbenchError):
 
 class SceneError(LightbenchError):
     """A scene that cannot be used; the message names the offending field."""
+
+
+class ModelError(LightbenchError):
+    """A model file that cannot be used; the message names the file and the place in it."""
 
 
 class SettingError(LightbenchError):

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lightbench.assemble import Request, Source, assemble
+from lightbench.batches import define_values, light_lists
 from lightbench.contract import argument_types
 from lightbench.errors import LightbenchError, NotFoundError
 from lightbench.glsl_run import COMPONENTS, RETURNS, Prepared, run
 from lightbench.half import HALF, halved
 from lightbench.library import Library, read_library
 from lightbench.paths import shaders_folder
-from lightbench.plan import define_values
 from lightbench.render import on_gl_thread
 from lightbench.scene import Scene
 from lightbench.settings import Resolved, Setting, resolve
@@ -36,11 +36,11 @@ def call(
 ) -> NDArray[np.float32]:
     """Evaluate `function` of `file` (a path in the shader folder) for each row of the arrays.
 
-    A float argument is a float32 array (N,), a vecK argument (N, K), a struct argument a dict
-    {field: array}; a lone row stands for all. `settings` picks the choices that the file includes
-    and sets its parameters; a parameter given as an array (N,) has one value a row. With `half`
-    every named number is rounded to half precision. Returns float32 (N,) or (N, K); bool and int
-    results come as floats.
+    A float argument is a float32 array (N,), a vecK argument (N, K), an int or ivec2 argument whole
+    floats, a struct argument a dict {field: array}; a lone row stands for all. `settings` picks the
+    choices that the file includes and sets its parameters; a parameter given as an array (N,) has
+    one value a row. With `half` every named number is rounded to half precision. Returns float32
+    (N,) or (N, K); bool and int results come as floats.
 
     Raises NotFoundError for an unknown file or function, LightbenchError for arrays that do not
     fit, ShaderError where the source does not compile.
@@ -65,7 +65,9 @@ def prepare(
         raise NotFoundError(f"no shader file '{file}'; there is: {', '.join(library.files)}")
     by_row = {name: value for name, value in given.items() if isinstance(value, np.ndarray)}
     single = {name: value for name, value in given.items() if not isinstance(value, np.ndarray)}
-    source, resolved = source_of(library, file, single)
+    promised = library.promised(file)
+    objects = promised is not None and function != promised
+    source, resolved = source_of(library, file, single, objects=objects)
     source = _variables(replace(source, text=halved(source.text)) if half else source, by_row)
     returned, types = _signature(library, file, function)
     columns = _columns(source, types, arrays, function)
@@ -81,18 +83,21 @@ def prepare(
 
 # The member of a struct that has none, in lib/material.glsl: GLSL has no empty struct.
 NO_FIELD = "unused"
-EMPTY_LISTS = {"LIGHTS": (), "POSITIONAL_LIGHTS": (), "SPOT_LIGHTS": ()}
 
 
 def source_of(
-    library: Library, file: str, settings: Mapping[str, Setting]
+    library: Library, file: str, settings: Mapping[str, Setting], *, objects: bool = False
 ) -> tuple[Source, Resolved]:
-    """A file assembled as its own folder's choice, and the settings that it was done under."""
+    """A file assembled as its own folder's choice, and the settings that it was done under.
+
+    `objects`: as in a pass that draws objects.
+    """
     folder, name = Path(file).parent.as_posix(), Path(file).stem
     own = {library.folders[folder].setting: name} if folder in library.folders else {}
     resolved = resolve(library, Scene(materials={}, objects={}), {**own, **settings})
     values = dict(define_values(library, resolved))
-    request = Request(file, "FRAGMENT", resolved.choices, values, EMPTY_LISTS)
+    values["draws_objects"] = float(objects)
+    request = Request(file, "FRAGMENT", resolved.choices, values, light_lists(()))
     return assemble(library, request), resolved
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from lightbench.assemble import Source
 from lightbench.errors import LightbenchError
-from lightbench.plan import Program
+from lightbench.plan_types import Program
 from lightbench.render import renderer, set_uniform
 from lightbench.settings import Resolved
 
@@ -24,8 +24,11 @@ __all__ = [
 Draw = Callable[[Mapping[str, int]], None]
 
 WIDTH = 4096
-COMPONENTS = {"float": 1, "vec2": 2, "vec3": 3, "vec4": 4}
-RETURNS = COMPONENTS | {"bool": 1, "int": 1}
+FLOATS = {"float": 1, "vec2": 2, "vec3": 3, "vec4": 4}
+# Arguments of these types come as floats and are made whole; nothing rounds them to half.
+WHOLE = {"int": 1, "ivec2": 2}
+COMPONENTS = FLOATS | WHOLE
+RETURNS = FLOATS | {"bool": 1, "int": 1}
 SWIZZLE = {1: ".r", 2: ".rg", 3: ".rgb", 4: ""}
 PADDING = {1: ", 0.0, 0.0, 0.0", 2: ", 0.0, 0.0", 3: ", 0.0", 4: ""}
 
@@ -116,8 +119,9 @@ def sampler(column: str) -> str:
 
 def program(prepared: Prepared, body: Sequence[str], uniforms: Sequence[str] = ()) -> Program:
     """The source with a main that has the row of this pixel in a0, a1 and so on, then the body."""
+    whole = {f"a{i}": kind for i, kind in enumerate(prepared.types) if kind in WHOLE}
     fetches = [
-        f"  {column} = {prepared.rounding}(texelFetch({sampler(column)}, "
+        f"  {column} = {whole.get(column, prepared.rounding)}(texelFetch({sampler(column)}, "
         f"{'row' if len(array) > 1 else 'ivec2(0)'}, 0){SWIZZLE[array.shape[1]]});"
         for column, array in prepared.columns.items()
     ]

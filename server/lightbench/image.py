@@ -35,23 +35,30 @@ class Image:
     """`linear`: (H, W, 3) float32 radiance, row 0 at the top. `display`: (H, W, 3) uint8 codes.
 
     `milliseconds` is the time the passes took, measured to their completion; `renderer` names
-    what ran them.
+    what ran them. A `signed` picture holds negative numbers by right.
     """
 
     linear: NDArray[np.float32]
     display: NDArray[np.uint8]
     milliseconds: float
     renderer: str
+    signed: bool = False
 
     def invalid(self) -> Invalid:
-        """Counts of NaN, infinite and negative pixels of `linear`."""
-        if np.isfinite(self.linear).all() and self.linear.min() >= 0:
+        """Counts of NaN, infinite and, unless it is signed, negative pixels of `linear`."""
+        if np.isfinite(self.linear).all() and (self.signed or self.linear.min() >= 0):
             return Invalid(0, 0, 0)
         nan = np.isnan(self.linear).any(axis=2)
         inf = np.isinf(self.linear).any(axis=2) & ~nan
         with np.errstate(invalid="ignore"):
-            negative = (self.linear < 0).any(axis=2) & ~nan & ~inf
+            negative = (self.linear < 0).any(axis=2) & ~nan & ~inf & (not self.signed)
         return Invalid(int(nan.sum()), int(inf.sum()), int(negative.sum()))
+
+    def as_stored(self) -> "Image":
+        """The same with its linear values for display codes: 0 to 1 as 0 to 255, NaN as 0."""
+        shares = np.nan_to_num(np.clip(self.linear, 0.0, 1.0))
+        display = (shares * 255 + 0.5).astype(np.uint8)
+        return Image(self.linear, display, self.milliseconds, self.renderer, self.signed)
 
     def png(self, level: int = 6) -> bytes:
         """The display codes as PNG; `level` 0 to 9 is zlib's, 1 is the quickest."""

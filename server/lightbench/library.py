@@ -8,137 +8,26 @@ import re
 import tomllib
 from functools import cache
 from pathlib import Path
-from typing import Annotated, Literal, Self, TypeVar
+from typing import TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import BaseModel, ValidationError
 
 from lightbench.contract import check_contract
 from lightbench.errors import LightbenchError, ShaderError
 from lightbench.expression import Value, evaluate
+from lightbench.front_matter import MATERIAL_FIELDS, Choice, Folder, Pass, ShaderFile, Strict
 from lightbench.shapes import ICOSPHERE_ERRORS
 
-__all__ = ["Choice", "Folder", "Library", "Parameter", "Pass", "ShaderFile", "read_library"]
+__all__ = ["Library", "read_library"]
 
-Range = tuple[float, float]
-Kind = Literal["float", "int", "bool", "color"]
 GLSL_TYPES = {"float": "float", "color": "vec3"}
-# The fields that `struct Material` may have, in its order. The scene's materials supply them.
-MATERIAL_FIELDS = {
-    "base_color": "vec3",
-    "metalness": "float",
-    "roughness": "float",
-    "f0": "vec3",
-    "kd": "vec3",
-    "ks": "vec3",
-    "shininess": "float",
-}
 Matter = TypeVar("Matter", bound=BaseModel)
 _FRONT_MATTER = re.compile(r"\s*/\*---[ \t]*\n(.*?)---\*/", re.DOTALL)
 _COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
 _TOML_LINE = re.compile(r"at line (\d+)")
 
 
-class _Strict(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
-
-
-class Parameter(_Strict):
-    """A value that a file's front matter offers: a slider, an option, a uniform or a define."""
-
-    kind: Kind = "float"
-    default: float | int | bool | str | tuple[float, float, float]
-    range: Range | None = None
-    step: Annotated[float, Field(gt=0)] | None = None
-    unit: str = ""
-    label: str = ""
-    scale: Literal["linear", "log"] = "linear"
-    per: Literal["frame", "light"] = "frame"
-
-    @model_validator(mode="after")
-    def _consistent(self) -> Self:
-        number = isinstance(self.default, int | float) and not isinstance(self.default, bool)
-        fits = {
-            "float": number,
-            "int": isinstance(self.default, int) and number,
-            "bool": isinstance(self.default, bool),
-            "color": isinstance(self.default, str | tuple),
-        }
-        if not fits[self.kind]:
-            raise ValueError(f"default {self.default!r} is no {self.kind}")
-        if self.kind in ("float", "int") and self.range is None:
-            raise ValueError("a number needs its range = [lowest, highest]")
-        if self.range and not self.range[0] <= float(str(self.default)) <= self.range[1]:
-            raise ValueError(f"default {self.default} lies outside the range {list(self.range)}")
-        if self.per == "light" and self.kind != "float":
-            raise ValueError("a parameter per light is a float")
-        return self
-
-
-class Choice(_Strict):
-    """Front matter of a choice or of a lib file."""
-
-    title: str = ""
-    equation: str = ""
-    source: str = ""
-    domain: dict[str, Range] = {}
-    unit: str = ""
-    about: str = ""
-    breaks: dict[str, str] = {}
-    textbook_of: str = ""
-    material: tuple[str, ...] = ()
-    reads: tuple[str, ...] = ()
-    parameters: dict[str, Parameter] = {}
-
-    @model_validator(mode="after")
-    def _known_fields(self) -> Self:
-        if unknown := set(self.material) - set(MATERIAL_FIELDS):
-            known = ", ".join(MATERIAL_FIELDS)
-            raise ValueError(f"material: no field '{min(unknown)}'; fields are: {known}")
-        return self
-
-
-class Target(_Strict):
-    """What a pass writes: a texture of the output's size times `scale` (an expression)."""
-
-    format: Literal["rgba32f", "rgba16f", "rgba8"]
-    scale: str = "1"
-    depth: bool = False
-
-
-class Pass(Choice):
-    """Front matter of a render pass."""
-
-    draw: Literal["screen", "objects"]
-    writes: dict[str, Target]
-    when: str = "1"
-
-    @model_validator(mode="after")
-    def _one_target(self) -> Self:
-        if len(self.writes) != 1:
-            raise ValueError("writes: a pass writes one target")
-        return self
-
-
-class ShaderFile(_Strict):
-    """One file of `shaders/`: `code` is free of comments and keeps the file's line numbers."""
-
-    meta: Pass | Choice
-    code: str
-    functions: dict[str, int]
-
-
-class Folder(_Strict):
-    """`_choice.toml`: what every file of a choice folder promises."""
-
-    setting: str
-    title: str
-    function: str
-    optional: tuple[str, ...] = ()
-    default: str
-    about: str = ""
-
-
-class Library(_Strict):
+class Library(Strict):
     """All of `shaders/`, validated. Keys of `files` are paths such as `models/phong.glsl`."""
 
     folders: dict[str, Folder]
@@ -159,6 +48,15 @@ class Library(_Strict):
     def folder_of(self, setting: str) -> str:
         """The folder that a choice setting picks from."""
         return next(name for name, folder in self.folders.items() if folder.setting == setting)
+
+    def promised(self, path: str) -> str | None:
+        """The name of the function that a choice's folder promises; of another file, None."""
+        folder = self.folders.get(path.rpartition("/")[0])
+        return None if folder is None else folder.function.split("(")[0].split()[-1]
+
+    def per_light(self, resource: str) -> bool:
+        """Whether there is one such texture for each light that casts shadows."""
+        return any(m.each == "light" and resource in m.writes for m in self.passes().values())
 
     def passes(self) -> dict[str, Pass]:
         """Front matter of every pass by its name, sorted."""
@@ -236,7 +134,8 @@ def _check_parameters(library: Library) -> None:
             value = parameter.default
             defaults[name] = 0.0 if isinstance(value, tuple | str) else float(value)
     for name, meta in library.passes().items():
-        for text in (meta.when, *(target.scale for target in meta.writes.values())):
+        targets = [text for t in meta.writes.values() for text in (t.scale, t.side)]
+        for text in filter(None, (meta.when, *targets)):
             try:
                 evaluate(text, defaults)
             except LightbenchError as error:

@@ -6,7 +6,11 @@ The browser's plan multiplies with gl-matrix; the same order here gives the same
 import math
 from collections.abc import Sequence
 
-__all__ = ["compose", "look_at", "multiply", "normal_matrix", "perspective", "rotation"]
+__all__ = [
+    "compose", "cos_sin", "cross", "dot", "look_at", "multiply", "normal_matrix", "normalize",
+    "orthographic", "perspective", "rotation", "square_perspective", "subtract", "transform",
+    "translation",
+]  # fmt: skip
 
 Vector = Sequence[float]
 # Sines are rounded to steps of 1/GRID: right angles are exact, and terms that cancel leave no
@@ -44,7 +48,8 @@ def dot(a: Vector, b: Vector) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def _cos_sin(degrees: float) -> tuple[float, float]:
+def cos_sin(degrees: float) -> tuple[float, float]:
+    """Cosine and sine of an angle in degrees."""
     angle = degrees * math.pi / 180
     return _on_grid(math.cos(angle)), _on_grid(math.sin(angle))
 
@@ -55,7 +60,7 @@ def _on_grid(value: float) -> float:
 
 def rotation(degrees: Vector) -> list[float]:
     """3x3 rotation, column-major: about x first, then y, then z, angles in degrees."""
-    (cx, sx), (cy, sy), (cz, sz) = map(_cos_sin, degrees)
+    (cx, sx), (cy, sy), (cz, sz) = map(cos_sin, degrees)
     return [
         cy * cz, cy * sz, -sy,
         sx * sy * cz - cx * sz, sx * sy * sz + cx * cz, sx * cy,
@@ -84,26 +89,38 @@ def look_at(look: Vector, up: Vector) -> list[float]:
     return [x[0], y[0], z[0], 0.0, x[1], y[1], z[1], 0.0, x[2], y[2], z[2], 0.0, 0.0, 0.0, 0.0, 1.0]
 
 
-def perspective(fov: float, aspect: float, near: float, far: float) -> list[float]:
-    """OpenGL projection; `fov` is vertical, in degrees."""
-    f = 1 / math.tan(fov * math.pi / 180 / 2)
+def square_perspective(tangent: float, near: float, far: float) -> list[float]:
+    """OpenGL projection of a square view; `tangent` is that of half its angle."""
     inverse = 1 / (near - far)
     depth, shift = (far + near) * inverse, 2 * far * near * inverse
-    return [
-        f / aspect,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        f,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        depth,
-        -1.0,
-        0.0,
-        0.0,
-        shift,
-        0.0,
-    ]
+    f = 1 / tangent
+    return [f, 0.0, 0.0, 0.0, 0.0, f, 0.0, 0.0, 0.0, 0.0, depth, -1.0, 0.0, 0.0, shift, 0.0]
+
+
+def perspective(fov: float, aspect: float, near: float, far: float) -> list[float]:
+    """OpenGL projection; `fov` is vertical, in degrees."""
+    flat = square_perspective(math.tan(fov * math.pi / 180 / 2), near, far)
+    return [flat[0] / aspect, *flat[1:]]
+
+
+def orthographic(height: float, aspect: float, near: float, far: float) -> list[float]:
+    """OpenGL projection of a view `height` high, without perspective."""
+    inverse = 1 / (near - far)
+    depth, shift = 2 * inverse, (far + near) * inverse
+    wide, high = 2 / (height * aspect), 2 / height
+    return [wide, 0.0, 0.0, 0.0, 0.0, high, 0.0, 0.0, 0.0, 0.0, depth, 0.0, 0.0, 0.0, shift, 1.0]
+
+
+def transform(m: Vector, point: Vector) -> tuple[float, float, float]:
+    """The point moved by an affine matrix."""
+    x, y, z = point
+    return (
+        m[0] * x + m[4] * y + m[8] * z + m[12],
+        m[1] * x + m[5] * y + m[9] * z + m[13],
+        m[2] * x + m[6] * y + m[10] * z + m[14],
+    )
+
+
+def translation(offset: Vector) -> list[float]:
+    """The matrix that moves by an offset."""
+    return [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, *offset, 1.0]

@@ -7,8 +7,13 @@ from pathlib import Path
 from typing import Any, get_args
 
 from lightbench.errors import NotFoundError
-from lightbench.library import Choice, Library, Parameter
-from lightbench.scene import Camera, Light, Material, Object, Scene, read_scene, scene_names
+from lightbench.front_matter import Choice, Parameter
+from lightbench.library import Library
+from lightbench.materials import materials
+from lightbench.scene import Camera, Object, Scene
+from lightbench.scene_file import read_scene, scene_names
+from lightbench.scene_lights import Light
+from lightbench.scene_surfaces import Material
 
 __all__ = ["THUMB", "listing", "manifest", "options", "preset", "scenes", "version"]
 
@@ -44,11 +49,22 @@ def scenes(root: Path) -> dict[str, dict[str, str]]:
 def manifest(library: Library, root: Path) -> dict[str, Any]:
     """All that the browser plans with: the library, the presets, the schema of a scene."""
     data = library.model_dump(mode="json")
-    return data | {"scenes": scenes(root), "schema": Scene.model_json_schema()}
+    return data | {
+        "scenes": scenes(root),
+        "materials": _materials(),
+        "schema": Scene.model_json_schema(),
+    }
+
+
+def _materials() -> dict[str, Any]:
+    return {name: each.model_dump(mode="json") for name, each in materials().items()}
 
 
 def options(library: Library) -> dict[str, Any]:
-    """Every setting: choices with their parameters, other parameters, the scene's own fields."""
+    """Every setting: choices with their parameters, other parameters, the scene's own fields.
+
+    And the material library, whose names are values of `materials.NAME.library`.
+    """
     return {
         "choices": {
             folder.setting: {
@@ -69,6 +85,7 @@ def options(library: Library) -> dict[str, Any]:
             for name, parameter in file.meta.parameters.items()
         },
         "scene": _scene_settings(),
+        "materials": _materials(),
     }
 
 
@@ -110,6 +127,9 @@ def _lines(library: Library) -> Iterator[str]:
     yield from (
         f"  {group}.FIELD: {', '.join(known)}" for group, known in _scene_settings().items()
     )
+    yield ""
+    yield "materials.NAME.library:"
+    yield from (f"  {name:<30} {each.title}" for name, each in materials().items())
 
 
 def _line(name: str, parameter: Parameter, indent: int) -> str:

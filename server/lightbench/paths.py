@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-__all__ = ["scenes_folder", "shaders_folder", "web_folder"]
+__all__ = ["materials_file", "scenes_folder", "shaders_folder", "web_folder"]
 
 
 def shaders_folder() -> Path:
@@ -16,6 +16,12 @@ def scenes_folder() -> Path:
     return _folder("LIGHTBENCH_SCENES", "scenes")
 
 
+def materials_file() -> Path:
+    """The material library of the folder of scenes, or the built-in one where it has none."""
+    own = scenes_folder() / "materials.toml"
+    return own if own.is_file() else _built_in("scenes") / "materials.toml"
+
+
 def web_folder() -> Path:
     """The built playground; absent in a checkout where it was not built."""
     installed = Path(__file__).parent / "_data" / "web"
@@ -23,8 +29,11 @@ def web_folder() -> Path:
 
 
 def _folder(variable: str, name: str) -> Path:
-    if named := os.environ.get(variable):
-        return Path(named)
+    named = os.environ.get(variable)
+    return Path(named) if named else _built_in(name)
+
+
+def _built_in(name: str) -> Path:
     installed = Path(__file__).parent / "_data" / name
     return installed if installed.is_dir() else _checkout() / name
 

@@ -15,9 +15,11 @@ from lightbench.image import FORMATS
 from lightbench.library import read_library
 from lightbench.options import THUMB, preset, version
 from lightbench.paths import scenes_folder, shaders_folder
-from lightbench.plan import Plan, plan
+from lightbench.plan import plan
+from lightbench.plan_types import Plan
 from lightbench.render import on_gl_thread, renderer
-from lightbench.scene import Scene, scene_names
+from lightbench.scene import Scene
+from lightbench.scene_file import scene_names
 from lightbench.settings import Setting
 
 __all__ = ["MAX_SIDE", "Format", "Gl", "Wanted", "gl", "picture", "thumb", "warm_up"]

@@ -1,34 +1,68 @@
 """The renderer: runs any plan on OpenGL through moderngl, and knows no lighting."""
 
+import json
 import time
+from collections import Counter
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from lightbench.assemble import explain
 from lightbench.errors import GraphicsError, ShaderError
 from lightbench.image import Image
-from lightbench.plan import Batch, Plan, PlannedPass, PlannedTarget, Program
+from lightbench.plan_types import (
+    Batch,
+    Plan,
+    PlannedPass,
+    PlannedTarget,
+    Program,
+)
+from lightbench.shader_log import explain
 from lightbench.shapes import mesh
+from lightbench.textures import Bound, Textures
 
 __all__ = ["Renderer", "on_gl_thread", "renderer"]
 
-DTYPES = {"rgba32f": "f4", "rgba16f": "f2", "rgba8": "f1"}
+# Components and moderngl's type of each format.
+FORMATS = {"rgba32f": (4, "f4"), "rgba16f": (4, "f2"), "rgba8": (4, "f1"), "r32f": (1, "f4")}
 ATTRIBUTES = {
     "a_position": ("positions", "3f4"),
     "a_normal": ("normals", "3f4"),
-    "a_uv": ("uvs", "2f4"),
     "a_tangent": ("tangents", "4f4"),
+    "a_uv0": ("uvs", "2f4"),
+    "a_uv1": ("uvs1", "2f4"),
+    "a_color": ("colors", "4f4"),
 }
 MAX_PROGRAMS = 256
-# Pixels of all framebuffers kept between plans: 2^24 with depth are a third of a gigabyte.
-MAX_KEPT_PIXELS = 2**24
+# Bytes of all framebuffers kept between plans.
+MAX_KEPT_BYTES = 2**29
 # What a framebuffer counts for at least: its attachments cost something at any size.
-LEAST_PIXELS = 2**18
+LEAST_BYTES = 2**22
+BLENDS = {
+    "over": (moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA),
+    "add": (moderngl.ONE, moderngl.ONE),
+}
+
+
+class Key(NamedTuple):
+    """What makes two targets one framebuffer."""
+
+    name: str
+    width: int
+    height: int
+    format: str
+    depth: bool
+
+
+def held(key: Key) -> int:
+    """Bytes that a framebuffer takes."""
+    components, dtype = FORMATS[key.format]
+    pixel = components * int(dtype[1]) + 4 * key.depth
+    return max(key.width * key.height * pixel, LEAST_BYTES)
+
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -71,10 +105,15 @@ class Renderer:
         self._programs: dict[tuple[str, str], moderngl.Program] = {}
         self._vertices: dict[tuple[moderngl.Program, str | None], moderngl.VertexArray] = {}
         self._buffers: dict[tuple[str, str], moderngl.Buffer] = {}
-        self._framebuffers: dict[tuple[str, int, int, str, bool], moderngl.Framebuffer] = {}
+        self._framebuffers: dict[Key, moderngl.Framebuffer] = {}
+        self._textures = Textures(self.context)
+        # What the kept passes have drawn: nothing else has drawn to these framebuffers since.
+        self._drawn: dict[int, str] = {}
+        # How often each pass has run, by its name.
+        self.runs: Counter[str] = Counter()
 
     def run(self, plan: Plan) -> Image:
-        """The picture of a plan.
+        """The picture of a plan. A pass to keep that is as it was is not run again.
 
         Raises ShaderError naming file and line where a source does not compile, GraphicsError
         where a target is larger than the context allows.
@@ -82,15 +121,20 @@ class Renderer:
         self.make_room()
         programs = [self.program(program) for program in plan["programs"]]
         targets = {name: self.framebuffer(name, target) for name, target in plan["targets"].items()}
+        textures = {name: self._textures.get(t) for name, t in plan["textures"].items()}
         self.context.finish()
         start = time.perf_counter()
         for planned in plan["passes"]:
-            self.draw(planned, programs, targets)
+            content = json.dumps([planned, plan["textures"]]) if planned["keep"] else ""
+            key = id(targets[planned["target"]])
+            if not content or self._drawn.get(key) != content:
+                self.draw(planned, programs, targets, textures)
+                self._drawn[key] = content
         self.context.finish()
         milliseconds = (time.perf_counter() - start) * 1e3
         linear = read(targets[plan["outputs"]["linear"]], "f4")
         display = read(targets[plan["outputs"]["display"]], "f1")
-        return Image(linear, display, milliseconds, self.name)
+        return Image(linear, display, milliseconds, self.name, plan["signed"])
 
     def program(self, program: Program) -> moderngl.Program:
         """The compiled program of two sources, compiled once."""
@@ -106,8 +150,10 @@ class Renderer:
 
     def make_room(self) -> None:
         """Release what too many plans have left behind: all programs, the oldest framebuffers."""
-        while sum(max(w * h, LEAST_PIXELS) for _, w, h, *_ in self._framebuffers) > MAX_KEPT_PIXELS:
-            release(self._framebuffers.pop(next(iter(self._framebuffers))))
+        while sum(map(held, self._framebuffers)) > MAX_KEPT_BYTES:
+            oldest = self._framebuffers.pop(next(iter(self._framebuffers)))
+            self._drawn.pop(id(oldest), None)
+            release(oldest)
         if len(self._programs) > MAX_PROGRAMS:
             for array in self._vertices.values():
                 array.release()
@@ -121,9 +167,10 @@ class Renderer:
         width, height = target["size"]
         if max(width, height) > self.limit:
             raise GraphicsError(f"{name}: {width}x{height} is beyond this GL's {self.limit} pixels")
-        key = (name, width, height, target["format"], target["depth"])
+        key = Key(name, width, height, target["format"], target["depth"])
         if key not in self._framebuffers:
-            texture = self.context.texture((width, height), 4, dtype=DTYPES[target["format"]])
+            components, dtype = FORMATS[target["format"]]
+            texture = self.context.texture((width, height), components, dtype=dtype)
             texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
             texture.repeat_x = texture.repeat_y = False
             depth = self.context.depth_renderbuffer((width, height)) if target["depth"] else None
@@ -136,15 +183,19 @@ class Renderer:
         planned: PlannedPass,
         programs: list[moderngl.Program],
         targets: dict[str, moderngl.Framebuffer],
+        textures: dict[str, Bound],
     ) -> None:
         """Run one pass."""
+        self.runs[planned["name"]] += 1
         target = targets[planned["target"]]
         target.use()
+        target.viewport = (0, 0, *target.size)
+        # A target is read as its texture says, without the sampler of an image before it.
+        self.context.clear_samplers()
+        target.depth_mask = True
         if planned["clear"] is not None:
             red, green, blue, alpha = planned["clear"]
             target.clear(red, green, blue, alpha, depth=1.0)
-        flags = moderngl.DEPTH_TEST | moderngl.CULL_FACE
-        self.context.enable_only(flags if target.depth_attachment else moderngl.NOTHING)
         for unit, texture in enumerate(planned["samplers"].values()):
             attachment = targets[texture].color_attachments[0]
             assert isinstance(attachment, moderngl.Texture)
@@ -153,15 +204,41 @@ class Renderer:
             program = programs[batch["program"]]
             for unit, sampler in enumerate(planned["samplers"]):
                 set_uniform(program, sampler, unit)
-            self.draw_batch(batch, program)
+            self.set_state(batch, target)
+            self.draw_batch(batch, program, textures, len(planned["samplers"]))
+        target.depth_mask = True
 
-    def draw_batch(self, batch: Batch, program: moderngl.Program) -> None:
-        """Draw the meshes of one program."""
+    def set_state(self, batch: Batch, target: moderngl.Framebuffer) -> None:
+        """Depth test, culling, blending and the part of the target of a batch."""
+        flags = moderngl.DEPTH_TEST if target.depth_attachment else moderngl.NOTHING
+        objects = any(draw["mesh"] is not None for draw in batch["draws"])
+        if objects and batch["cull"]:
+            flags |= moderngl.CULL_FACE
+        if batch["blend"] is not None:
+            flags |= moderngl.BLEND
+            self.context.blend_func = BLENDS[batch["blend"]]
+        self.context.enable_only(flags)
+        target.depth_mask = batch["blend"] is None
+        if batch["tile"] is not None:
+            x, y, side = batch["tile"]
+            target.viewport = (x, y, side, side)
+
+    def draw_batch(
+        self,
+        batch: Batch,
+        program: moderngl.Program,
+        textures: dict[str, Bound],
+        first_unit: int,
+    ) -> None:
+        """Draw the meshes of one program; textures take the units from `first_unit` on."""
         for name, value in batch["uniforms"].items():
             set_uniform(program, name, value)
         for draw in batch["draws"]:
             for name, value in draw["uniforms"].items():
                 set_uniform(program, name, value)
+            for unit, (sampler, name) in enumerate(draw["textures"].items(), first_unit):
+                textures[name].use(unit)
+                set_uniform(program, sampler, unit)
             vertices = self.vertices(program, draw["mesh"])
             vertices.render(moderngl.TRIANGLES, vertices=3 if draw["mesh"] is None else -1)
 
@@ -211,5 +288,8 @@ def read(framebuffer: moderngl.Framebuffer, dtype: str) -> NDArray:  # type: ign
     """
     width, height = framebuffer.size
     kind = np.float32 if dtype == "f4" else np.uint8
-    raw = framebuffer.read(components=4, dtype=dtype)
-    return np.frombuffer(raw, kind).reshape(height, width, 4)[::-1, :, :3].copy()
+    attachment = framebuffer.color_attachments[0]
+    count = attachment.components
+    raw = framebuffer.read(components=count, dtype=dtype)
+    pixels = np.frombuffer(raw, kind).reshape(height, width, count)[::-1]
+    return np.repeat(pixels, 3, axis=2) if count == 1 else pixels[:, :, :3].copy()

@@ -12,7 +12,8 @@ from pydantic_core import core_schema
 from typing_extensions import TypedDict
 
 from lightbench.library import Library
-from lightbench.plan import Plan
+from lightbench.materials import LibraryMaterial
+from lightbench.plan_types import Plan
 from lightbench.scene import Scene
 
 __all__ = ["schema"]
@@ -57,9 +58,10 @@ class SceneSummary(TypedDict):
 
 
 class Manifest(Library):
-    """The shader library, the presets and the JSON schema of a scene."""
+    """The shader library, the presets, the material library and the JSON schema of a scene."""
 
     scenes: dict[str, SceneSummary]
+    materials: dict[str, LibraryMaterial]
     scene_schema: Annotated[SchemaNode, Field(alias="schema")]
 
 

@@ -6,8 +6,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from lightbench.errors import SceneError, SettingError, shown
-from lightbench.library import Library, Parameter
-from lightbench.scene import Scene, color
+from lightbench.front_matter import Parameter
+from lightbench.library import Library
+from lightbench.materials import FIELDS
+from lightbench.scene import Scene
+from lightbench.scene_types import color
+from lightbench.viewpoint import light_camera
 
 __all__ = ["Resolved", "Setting", "resolve"]
 
@@ -37,7 +41,8 @@ def resolve(library: Library, scene: Scene, given: Mapping[str, Setting]) -> Res
         folder.setting: _chosen(library, name, menu.pop(folder.setting, folder.default))
         for name, folder in library.folders.items()
     }
-    parameters = _parameters(library, choices)
+    edited = _from_light(edited)
+    parameters = _parameters(library, _every_choice(library, choices, edited))
     _check_names(library, menu)
     values = {
         name: _value(name, parameter, menu.get(name, parameter.default))
@@ -55,14 +60,39 @@ def _chosen(library: Library, folder: str, value: Setting) -> str:
     return str(value)
 
 
-def _parameters(library: Library, choices: Mapping[str, str]) -> dict[str, Parameter]:
+def _from_light(scene: Scene) -> Scene:
+    """The scene as its camera shows it: from a light, if it says so."""
+    if scene.camera.light is None:
+        return scene
+    camera = light_camera(scene, scene.lights[scene.camera.light])
+    return scene.model_copy(update={"camera": camera})
+
+
+def _every_choice(
+    library: Library, choices: Mapping[str, str], scene: Scene
+) -> dict[str, set[str]]:
+    """The choices in use by setting: the frame's, and those that materials make for themselves."""
+    every = {setting: {choice} for setting, choice in choices.items()}
+    own = {f.setting: name for name, f in library.folders.items() if f.per == "material"}
+    for material, values in scene.materials.items():
+        for setting, choice in (values.__pydantic_extra__ or {}).items():
+            if setting not in own:
+                raise SettingError(
+                    f"materials.{material}.{setting}: no such field; beside its own fields a "
+                    f"material may have: {', '.join(own)}"
+                )
+            every[setting].add(_chosen(library, own[setting], choice))
+    return every
+
+
+def _parameters(library: Library, choices: Mapping[str, set[str]]) -> dict[str, Parameter]:
     """The parameters of the chosen files, of passes and of lib."""
     found: dict[str, Parameter] = {}
     for path, file in library.files.items():
         folder, _, name = path.partition("/")
         if folder in library.folders:
             active = choices[library.folders[folder].setting]
-            if name != f"{active}.glsl":
+            if name.removesuffix(".glsl") not in active:
                 continue
         found.update(file.meta.parameters)
     return found
@@ -144,6 +174,7 @@ def _edited(scene: Scene, edits: Mapping[str, Setting]) -> Scene:
     if not edits:
         return scene
     data = scene.data()
+    places = []
     for path, value in edits.items():
         *parents, last = path.split(".")
         at: Any = data
@@ -153,8 +184,14 @@ def _edited(scene: Scene, edits: Mapping[str, Setting]) -> Scene:
         depth = {"camera": 1, "lights": 2, "materials": 2, "objects": 2}.get(group)
         if not isinstance(at, dict) or len(parents) != depth:
             raise SettingError(f"no setting '{path}'; {_known_paths(scene)}")
-        if last not in at and group != "lights":
+        if last not in at and group not in ("lights", "materials"):
             raise SettingError(f"no setting '{path}'; allowed here are: {', '.join(map(str, at))}")
+        places.append((at, last, value))
+    for at, last, value in places:
+        if last == "library" and value not in (None, "auto"):
+            for field in FIELDS:  # the new material's, where they are not edited too
+                at.pop(field, None)
+    for at, last, value in places:
         at[last] = value
     return Scene.parse(data, "settings")
 

@@ -1,22 +1,22 @@
-"""Triangle meshes by name: plane, cube, icosphere and cone, made once and packed for the browser.
+"""Triangle meshes by key: plane, cube, icosphere and cone, made once, and those of models.
 
-Texture coordinates: u grows along the tangent, v along the bitangent w * cross(normal, tangent).
-They may pass 1 where a surface wraps around, so a texture repeats.
+Texture coordinates: u grows along the tangent, v against the bitangent w * cross(normal, tangent).
+They may leave 0..1 where a surface wraps around, so a texture repeats.
 """
 
 import math
 import re
-import struct
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lightbench import assets
 from lightbench.errors import NotFoundError
+from lightbench.mesh import Mesh, pack
 
-__all__ = ["ICOSPHERE_ERRORS", "Mesh", "mesh", "pack"]
+__all__ = ["ICOSPHERE_ERRORS", "mesh", "pack"]
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -41,33 +41,18 @@ CUBE_NORMALS = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, 
 CUBE_TANGENTS = [(0, 0, -1), (0, 0, 1), (1, 0, 0), (1, 0, 0), (1, 0, 0), (-1, 0, 0)]
 
 
-@dataclass(frozen=True, eq=False)
-class Mesh:
-    """Triangles, counter-clockwise seen from outside. The arrays are read-only.
-
-    `positions` (V, 3), `normals` (V, 3) unit, `uvs` (V, 2) and `tangents` (V, 4: unit xyz and the
-    bitangent's sign) are float32; `indices` (T, 3) is uint32.
-    """
-
-    positions: NDArray[np.float32]
-    normals: NDArray[np.float32]
-    uvs: NDArray[np.float32]
-    tangents: NDArray[np.float32]
-    indices: NDArray[np.uint32]
-
-    def __post_init__(self) -> None:
-        floats = (self.positions, self.normals, self.uvs, self.tangents)
-        for array in (*floats, self.indices):
-            array.flags.writeable = False
-
-
-@lru_cache(maxsize=32)
 def mesh(key: str) -> Mesh:
     """The mesh that a key such as "plane", "cube", "icosphere-5" or "cone-16x32" says how to make.
 
     plane: 1 x 1 in xz at y = 0, facing +y. cube: edge 1, centred. icosphere-LEVEL: radius 1.
-    cone-STACKSxSECTORS: base disk of radius 1 at y = 0, apex at y = 1. Raises NotFoundError.
+    cone-STACKSxSECTORS: base disk of radius 1 at y = 0, apex at y = 1. mesh-HASH: that of a model,
+    in the asset store. Raises NotFoundError.
     """
+    return assets.mesh(key) if key.startswith("mesh-") else _made(key)
+
+
+@lru_cache(maxsize=32)
+def _made(key: str) -> Mesh:
     if key == "plane":
         return _quads([(0, 1, 0)], [(1, 0, 0)], offset=0.0)
     if key == "cube":
@@ -87,18 +72,13 @@ def mesh(key: str) -> Mesh:
     )
 
 
-def pack(mesh: Mesh) -> bytes:
-    """Little-endian: uint32 vertex count and index count, then the arrays in `Mesh`'s order."""
-    counts = struct.pack("<II", len(mesh.positions), mesh.indices.size)
-    floats = (mesh.positions, mesh.normals, mesh.uvs, mesh.tangents)
-    return b"".join(
-        [counts, *(a.astype("<f4").tobytes() for a in floats), mesh.indices.astype("<u4").tobytes()]
-    )
-
-
 def _mesh(positions: Floats, normals: Floats, uvs: Floats, tangents: Floats, faces: Ints) -> Mesh:
-    """The arrays in their final types, all bitangents being cross(normal, tangent)."""
+    """The arrays in their final types, all bitangents being cross(normal, tangent).
+
+    `uvs` come with v along the bitangent, up the image; a mesh has v down the image.
+    """
     signed = np.column_stack([tangents, np.ones(len(tangents))])
+    uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]])
     return Mesh(
         positions.astype(np.float32),
         normals.astype(np.float32),

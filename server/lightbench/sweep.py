@@ -9,10 +9,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from lightbench.contract import same_arguments
 from lightbench.errors import LightbenchError, NotFoundError
 from lightbench.exact.directions import Array
+from lightbench.front_matter import MATERIAL_FIELDS, Choice, Parameter
 from lightbench.glsl import material_fields, source_of
-from lightbench.library import MATERIAL_FIELDS, Choice, Library, Parameter
+from lightbench.library import Library
 
 __all__ = ["Input", "Sweep", "contract_key", "points", "sweep_of", "sweeps"]
 
@@ -100,14 +102,21 @@ CONTRACTS = {
         (
             Input("f0", "f0", 1e-4, 1.0, 0.04, log=True, zero=True),
             Input("VoH", "v·h", 0.0, 1.0, 0.5),
+            Input("eta", "η", 1e-2, 1e2, 1.5, log=True),
+            Input("k", "k", 1e-3, 1e2, 3.0, log=True, zero=True),
         ),
-        (("f0", "VoH"),),
+        (("f0", "VoH"), ("eta", "VoH")),
     ),
     "attenuations": Contract(
         (Input("distance", "distance", 1e-6, 1e6, 1.0, "m", log=True, zero=True),), ()
     ),
-    "shadows": Contract(
-        (Input("x", "x", -1e3, 1e3, 1.0, "m"), Input("y", "y", -1e3, 1e3, 1.0, "m")), (("x", "y"),)
+    "biases": Contract(
+        (
+            Input("distance", "distance", 1e-3, 10.0, 5.0, "m", log=True),
+            Input("NoL", "NoL", 0.0, 1.0, 0.5),
+        ),
+        (("distance", "NoL"),),
+        "a map 10 m deep whose texels reach 2 cm",
     ),
     "ambients": Contract((replace(LEVEL, high=1.0), TINT), ()),
     "tonemaps": Contract((replace(LEVEL, low=1e-10, high=1e37), TINT), ()),
@@ -196,9 +205,7 @@ def _functions(library: Library, path: str) -> list[str]:
         return []
     if folder is None:
         return list(file.functions) if contract_key(path) == path.removesuffix(".glsl") else []
-    # A function of nothing is a mark for #if and has no value.
-    promised = [s for s in (folder.function, *folder.optional) if "()" not in s]
-    names = [signature.split("(")[0].split()[-1] for signature in promised]
+    names = same_arguments(folder.function, folder.optional)
     return [name for name in names if name in file.functions]
 
 

@@ -23,6 +23,7 @@ Given = tuple[list[Argument], dict[str, Single]]
 # Material fields that no sweep varies.
 FIELDS = {
     "base_color": [0.9, 0.5, 0.1], "metalness": 0.3, "roughness": 0.5, "f0": [0.04, 0.5, 0.0],
+    "eta": [0.2, 1.5, 2.9], "k": [3.9, 0.0, 3.1],
     "kd": [0.1, 0.2, 0.05], "ks": [0.3, 0.5, 2.0], "shininess": 50.0,
 }  # fmt: skip
 # The cosine of the outer cone that a spot is swept at, and one step of float32 there.
@@ -94,8 +95,8 @@ def _color(values: Values) -> Single:
 
 def _material(values: Values, **own: Single) -> dict[str, Single]:
     swept = {name: values[name] for name in ("roughness", "shininess") if name in values}
-    if "f0" in values:
-        swept["f0"] = np.repeat(values["f0"][:, None], 3, axis=1)
+    for name in {"f0", "eta", "k"} & values.keys():
+        swept[name] = np.repeat(values[name][:, None], 3, axis=1)
     fixed = {name: _single([value]) for name, value in FIELDS.items()}
     return fixed | {name: _single(value) for name, value in swept.items()} | own
 
@@ -135,7 +136,12 @@ BUILDERS: dict[str, Callable[[Values], list[Argument]]] = {
     "maskings": _masking,
     "fresnels": lambda v: [_material(v), _single(v["VoH"])],
     "attenuations": _attenuation,
-    "shadows": lambda v: [_single(np.stack([v["x"], v["y"], 0.0 * v["x"]], axis=-1))],
+    "biases": lambda v: [
+        _single(v["distance"]),
+        _single(0.0 * v["NoL"] + 10.0),
+        _single(0.0 * v["NoL"] + 0.02),
+        _single(v["NoL"]),
+    ],
     "ambients": lambda v: [_material(v, base_color=_color(v))],
     "tonemaps": lambda v: [_color(v)],
     "transfers": lambda v: [_color(v)],

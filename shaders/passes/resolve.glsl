@@ -34,7 +34,12 @@ void main() {
     for (int y = 0; y < SAMPLES; ++y) {
         for (int x = 0; x < SAMPLES; ++x) {
             vec3 radiance = texelFetch(u_radiance, corner + ivec2(x, y), 0).rgb;
-            if (invalid(radiance)) {
+#if SIGNED
+            bool lost = any(isnan(radiance)) || any(isinf(radiance));
+#else
+            bool lost = invalid(radiance);
+#endif
+            if (lost) {
                 o_linear = vec4(radiance, 1.0);
                 return;
             }

@@ -1,9 +1,9 @@
 // How a row of the panel reads and changes the state: parts of values, "auto", defaults.
 import { toHex } from "./color";
 import type { Control } from "./control";
-import { current, type Situation } from "./controls";
 import { coupled, derived } from "./derived";
-import { AUTO, defaultOf, same, type Value } from "./fields";
+import { AUTO, defaultOf, isLibraryField, same, type Value, type Values } from "./fields";
+import { current, type Situation } from "./groups";
 import { readPart, triple, writePart } from "./parts";
 import { trim } from "./state";
 import type { Store } from "./store";
@@ -93,8 +93,17 @@ export class Access {
 
 /** Change one setting, and what has to change with it; what is default leaves the state. */
 export function put(store: Store, now: Situation, name: string, value: Value): void {
-  const { settings } = store.state;
+  const settings = withoutStale(store.state.settings, name);
   const next = { ...settings, ...coupled(now.scene, name, value), [name]: value };
   const trimmed = trim(now.manifest, now.preset, next);
   store.set({ ...store.state, settings: trimmed }, `panel ${name}`);
+}
+
+/** Another library material takes the place of all that was set of the one before. */
+function withoutStale(settings: Values, name: string): Values {
+  if (!/^materials\.\w+\.library$/.test(name)) return settings;
+  const material = name.slice(0, -"library".length);
+  return Object.fromEntries(
+    Object.entries(settings).filter(([key]) => !key.startsWith(material) || !isLibraryField(key)),
+  );
 }

@@ -1,35 +1,39 @@
 // The page's parts and how they hear of each other: state to picture, picture to panel.
-import { Camera } from "./camera";
-import { current, type Situation, tabOf } from "./controls";
+import { Busy } from "./busy";
+import { tabOf } from "./controls";
 import { LightbenchError } from "./core/errors";
 import { type Mesh, meshesFrom } from "./core/mesh";
 import { plan } from "./core/plan";
 import { resolve } from "./core/settings";
+import { imagesFrom } from "./core/textures";
 import type { Manifest, Plan, Scene } from "./core/types";
-import { loadManifest, loadScene, thumbnail } from "./data";
+import { loadManifest } from "./data";
 import { byId } from "./dom";
+import { acceptDrops, type Take } from "./drop";
 import type { Values } from "./fields";
 import { loadTypesetter } from "./formula";
+import { current, type Situation } from "./groups";
 import { countInvalid } from "./invalid";
 import { Link } from "./link";
-import { recall, remember } from "./memory";
 import { Notices } from "./notices";
-import { focus, type Pose, ray } from "./orbit";
+import { Opening } from "./opening";
 import { Panel } from "./panel";
-import { type Hit, pick } from "./pick";
 import { makeProbe } from "./probe";
-import { trim } from "./state";
+import { Scenes } from "./scenes";
+import { gone } from "./server";
+import { miniature } from "./snapshot";
 import { Status } from "./status";
 import { Store } from "./store";
 import { addTools } from "./tools";
 import { type Size, View } from "./view";
+import { Viewpoint } from "./viewpoint";
+import { LeftViews } from "./views";
 import { Wipe } from "./wipe";
 
 const DEFAULT_SCENE = "box-room";
-// How far from an object a double click goes, in its radii.
-const CLOSE = 3.2;
 
 export class App {
+  readonly busy = new Busy(byId("progress"));
   readonly notices = new Notices(byId("notices"));
   readonly status = new Status(byId("line"));
   readonly store = new Store({ scene: "", settings: {} });
@@ -38,12 +42,24 @@ export class App {
   view!: View;
   wipe!: Wipe;
   panel!: Panel;
-  private camera!: Camera;
+  viewpoint!: Viewpoint;
+  private readonly left = new LeftViews();
   private preset!: Scene;
   /** The preset's name; the state's may be ahead of it while that one loads. */
   private name = "";
-  private readonly scenes = new Map<string, Promise<Scene>>();
-  private readonly triangles = new Map<string, number>();
+  readonly scenes = new Scenes();
+  private readonly meshes = new Map<string, Mesh>();
+  private readonly assets = {
+    mesh: (key: string) => this.mesh(key),
+    image: imagesFrom("data/textures"),
+  };
+  private readonly opening = new Opening({
+    busy: (what) => this.busy.say(what, "model"),
+    opened: (file, scene) => this.opened(file, scene),
+    refused: (reason) => this.notices.say(reason, 0, "model"),
+  });
+  /** Open the model among these files. */
+  readonly open: Take = (files) => void this.opening.take(files);
   private readonly loading = loadManifest();
   private arrive!: () => void;
   private readonly ready = new Promise<void>((done) => {
@@ -54,15 +70,16 @@ export class App {
   async start(): Promise<void> {
     window.lightbench = makeProbe({
       manifest: this.loading,
-      scene: (name) => this.scene(name),
-      meshes: (key) => this.mesh(key),
+      scene: (name) => this.scenes.load(name),
+      assets: this.assets,
       link: () => this.link.flush(),
       shown: () => this.view?.plan ?? null,
+      runs: () => this.view?.renderer?.runs ?? {},
       ready: this.ready,
     });
-    this.busy("Loading");
+    this.busy.say("Loading");
     const asked = this.link.scene() ?? DEFAULT_SCENE;
-    const early = this.scene(asked).catch(() => null); // beside the manifest, not after it
+    const early = this.scenes.load(asked).catch(() => null); // beside the manifest, not after it
     this.makeView();
     this.manifest = await this.loading;
     const known = Object.keys(this.manifest.scenes);
@@ -75,7 +92,7 @@ export class App {
       throw new LightbenchError("There is no scene to show: the folder of scenes is empty");
     if (name !== asked)
       this.notices.say(`There is no scene '${asked}'; there is: ${known.join(", ")}.`);
-    this.preset = (name === asked && (await early)) || (await this.scene(name));
+    this.preset = (name === asked && (await early)) || (await this.scenes.load(name));
     this.name = name;
     this.store.start({ scene: name, settings: this.link.settings(this.manifest, this.preset) });
     this.makeParts();
@@ -84,44 +101,51 @@ export class App {
   }
 
   private makeView(): void {
-    this.view = new View(byId<HTMLCanvasElement>("picture"), (key) => this.mesh(key), {
+    this.view = new View(byId<HTMLCanvasElement>("picture"), this.assets, {
       plan: (size) => this.plan(size),
       drawn: (shown) => this.drawn(shown),
       timed: (timing) => this.status.timed(timing),
       metered: (radiance) => this.status.meter(radiance),
-      idle: () => {
-        if (!this.status.settled) this.view.request();
-        this.status.invalid(countInvalid(this.view.renderer!.readLinear()));
-      },
-      busy: (what) => this.busy(what),
-      failed: (sentence) => this.notices.fail(sentence),
+      idle: () => this.idle(),
+      busy: (what) => this.busy.say(what),
+      failed: (sentence) => this.notices.fail(sentence && this.explained(sentence)),
     });
   }
 
   private makeParts(): void {
-    this.panel = new Panel(byId("panel"), this.store, () => this.home());
+    this.panel = new Panel(byId("panel"), this.store, {
+      current: () => this.viewpoint.current(),
+      show: (name) => this.viewpoint.show(name),
+    });
     this.wipe = new Wipe(byId("frame"), {
       state: () => this.store.state,
+      sent: () => this.scenes.model(this.store.state.scene)?.scene ?? null,
       size: () => this.view.plan?.size ?? [1, 1],
       codes: () => this.view.renderer!.readDisplay(),
       say: (sentence) => this.notices.say(sentence),
       shown: (shown) => {
         byId("server").setAttribute("aria-pressed", `${shown}`);
-        this.dismissHint();
+        this.viewpoint.dismissHint();
       },
     });
-    this.camera = new Camera(this.view.canvas, {
-      pose: () => this.edited().camera,
-      fov: () => this.edited().camera.fov,
-      move: (pose) => this.move(pose),
-      release: (milliseconds) => this.store.release(milliseconds),
-      point: (x, y, twice) => this.point(x, y, twice),
+    this.viewpoint = new Viewpoint(this.view.canvas, this.store, {
+      manifest: () => this.manifest,
+      preset: () => this.preset,
+      scene: () => this.edited(),
+      mesh: (key) => this.meshes.get(key),
+      loaded: () => this.store.state.scene === this.name,
       hover: (at) => this.view.meter(at),
+      pointed: (material) => this.panel.showMaterial(material),
     });
     addTools(this);
-    byId("hint").hidden = recall("moved", false);
+    acceptDrops(this.open);
     this.store.listen(() => this.follow());
     this.link.listen(() => this.manifest && this.takeLink());
+  }
+
+  /** The file of the model that is shown; null for a preset. */
+  get file(): string | null {
+    return this.scenes.model(this.store.state.scene)?.file ?? null;
   }
 
   /** The state has changed: show its scene, then draw. */
@@ -131,8 +155,9 @@ export class App {
       this.show();
       return;
     }
-    this.busy("Loading the scene");
-    this.scene(scene).then(
+    this.busy.say("Loading the scene");
+    this.viewpoint.stop();
+    this.scenes.load(scene).then(
       (preset) => {
         if (this.store.state.scene !== scene) return;
         this.preset = preset;
@@ -147,33 +172,48 @@ export class App {
     this.link.write();
     document.title = `${this.preset.title || this.name} · Lightbench`;
     byId("scene-title").textContent = this.preset.title || this.name;
-    const thumb = byId<HTMLImageElement>("thumb");
-    const source = thumbnail(this.name);
-    if (thumb.getAttribute("src") !== source) thumb.src = source;
-    thumb.hidden = false;
+    this.showThumb();
     this.view.request();
   }
 
-  /** Change to a preset; how it is rendered stays, what was changed in the old scene does not. */
-  choose(name: string): void {
-    const { scene, settings } = this.store.state;
-    if (name === scene) return;
-    const kept = Object.entries(settings).filter(([key]) => !key.includes("."));
-    this.store.set({ scene: name, settings: Object.fromEntries(kept) });
+  private showThumb(): void {
+    const thumb = byId<HTMLImageElement>("thumb");
+    const source = this.scenes.thumbnail(this.name);
+    thumb.hidden = source === null;
+    if (source && thumb.getAttribute("src") !== source) thumb.src = source;
   }
 
-  /** The camera back to the preset's. */
-  home(): void {
-    this.camera.fly(resolve(this.manifest, this.preset, {}).scene.camera);
+  /** A model has arrived: show it, under its own settings where it has some. */
+  private opened(file: string, scene: Scene): void {
+    this.notices.say(`${file}: ${scene.about}`, 12, "model");
+    const name = this.scenes.open(file, scene);
+    if (name === this.store.state.scene) this.view.request();
+    else this.choose(name, Object.keys(scene.settings));
+  }
+
+  /**
+   * Change to a scene; how it is rendered stays, but for some settings, and each has the view it was
+   * left with.
+   */
+  choose(name: string, but: readonly string[] = []): void {
+    const { scene, settings } = this.store.state;
+    if (name === scene) return;
+    const kept = Object.entries(settings).filter(
+      ([key]) => !key.includes(".") && !but.includes(key),
+    );
+    this.left.leave(this.store.state);
+    const seen = this.left.of(name);
+    this.store.set({ scene: name, settings: { ...Object.fromEntries(kept), ...seen } });
   }
 
   private async takeLink(): Promise<void> {
-    const name = this.link.scene() ?? this.store.state.scene;
+    const name = this.link.scene() ?? this.link.preset;
     if (!this.manifest.scenes[name]) {
       const known = Object.keys(this.manifest.scenes).join(", ");
       return this.notices.say(`There is no scene '${name}'; there is: ${known}.`);
     }
-    const preset = await this.scene(name);
+    const preset = await this.scenes.load(name);
+    this.left.leave(this.store.state);
     this.store.set({ scene: name, settings: this.link.settings(this.manifest, preset) });
   }
 
@@ -197,7 +237,7 @@ export class App {
 
   private drawn(shown: Plan): void {
     const keys = shown.passes.flatMap((p) => p.batches.flatMap((b) => b.draws.map((d) => d.mesh)));
-    const count = keys.reduce((sum, key) => sum + (this.triangles.get(key ?? "") ?? 0), 0);
+    const count = keys.reduce((sum, key) => sum + this.trianglesOf(key ?? ""), 0);
     this.status.drawn(shown, count);
     this.status.renderer(this.view.renderer!.name);
     const now: Situation = {
@@ -209,6 +249,7 @@ export class App {
     };
     this.panel.update(now);
     this.summarise(now);
+    this.viewpoint.follow();
     this.wipe.refresh();
     this.arrive();
     void loadTypesetter();
@@ -227,64 +268,30 @@ export class App {
       .join(" · ");
   }
 
-  private move(pose: Pose): void {
-    const state = this.store.state;
-    const edits = { "camera.eye": [...pose.eye], "camera.target": [...pose.target] };
-    const settings = trim(this.manifest, this.preset, { ...state.settings, ...edits });
-    this.dismissHint();
-    this.store.set({ ...state, settings }, "camera");
+  /** Nothing has changed for a moment. */
+  private idle(): void {
+    if (!this.status.settled) this.view.request();
+    const { plan, renderer } = this.view;
+    this.status.invalid(countInvalid(renderer!.readLinear(), plan!.signed));
+    const model = this.scenes.model(this.name);
+    if (!model || model.thumb || this.store.state.scene !== this.name) return;
+    model.thumb = miniature(renderer!.readDisplay(), plan!.size);
+    this.showThumb();
   }
 
-  /** Said once: whoever has moved the camera knows how. */
-  private dismissHint(): void {
-    const hint = byId("hint");
-    if (!hint.hidden) remember("moved", true);
-    hint.hidden = true;
+  /** What the server no longer has of a model is said as what to do about it. */
+  private explained(sentence: string): string {
+    const { file } = this;
+    return file && sentence.endsWith("(status 404)") ? gone(file) : sentence;
   }
 
-  private point(x: number, y: number, twice: boolean): void {
-    const { camera } = this.edited();
-    const { width, height } = this.view.canvas;
-    const direction = ray(camera, camera.fov, width / height, x, y);
-    const hit = pick(this.edited(), camera.eye, direction);
-    if (twice && hit) this.camera.fly(this.closeUp(hit));
-    else if (twice) this.home();
-    else if (hit) this.panel.showMaterial(hit.object.material);
-  }
-
-  /** A flat thing is looked at where it was pointed at, a solid one at its middle. */
-  private closeUp({ object, point, distance }: Hit): Pose {
-    const { camera } = this.edited();
-    if (object.shape === "plane") return focus(camera, point, distance);
-    const height = object.shape === "cone" ? 0.45 * (object.scale[1] ?? 1) : 0;
-    const middle = object.position.map((c, axis) => c + (axis === 1 ? height : 0));
-    const size = Math.max(...object.scale) * (object.shape === "sphere" ? 1 : 0.6);
-    return focus(
-      camera,
-      middle,
-      (CLOSE * size * Math.tan(Math.PI / 8)) / Math.tan((camera.fov * Math.PI) / 360),
-    );
-  }
-
-  private scene(name: string): Promise<Scene> {
-    let found = this.scenes.get(name);
-    if (!found) {
-      found = loadScene(name);
-      found.catch(() => this.scenes.delete(name));
-      this.scenes.set(name, found);
-    }
-    return found;
+  private trianglesOf(key: string): number {
+    return (this.meshes.get(key)?.indices.length ?? 0) / 3;
   }
 
   private async mesh(key: string): Promise<Mesh> {
     const mesh = await meshesFrom("data/meshes")(key);
-    this.triangles.set(key, mesh.indices.length / 3);
+    this.meshes.set(key, mesh);
     return mesh;
-  }
-
-  private busy(what: string | null): void {
-    const progress = byId("progress");
-    progress.hidden = what === null;
-    progress.setAttribute("aria-valuetext", what ?? "");
   }
 }

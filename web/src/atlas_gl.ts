@@ -1,8 +1,8 @@
 // Maps of the stability atlas, computed here: the page's own GPU against the exact values.
 import { compare, type Panel, type Precision } from "./atlas_error";
+import { createContext, missing, rendererName } from "./core/context";
 import { GraphicsError, LightbenchError } from "./core/errors";
 import { CompiledProgram } from "./core/program";
-import { createContext, missing, rendererName } from "./core/render";
 import type { Program } from "./core/types";
 
 /** One array of a document: where it begins, counted from the end of the header, and its shape. */

@@ -1,7 +1,7 @@
 // A choice in the panel: its menu, what it is, its formula, its source, what it breaks.
-import type { Group } from "./controls";
-import { make } from "./dom";
+import { grouped, make } from "./dom";
 import { Formula } from "./formula";
+import type { Group } from "./groups";
 
 export interface Card {
   select: HTMLSelectElement;
@@ -18,9 +18,13 @@ export function choiceCard(group: Group, symbols: string[], choose: (value: stri
     "data-control": setting,
     change: () => choose(select.value),
   });
-  for (const { value, title } of options) {
-    select.append(make("option", { value, selected: value === chosen }, title));
+  for (const { value, title, hint } of options) {
+    select.append(make("option", { value, title: hint, selected: value === chosen }, title));
   }
+  grouped(
+    select,
+    options.map(({ kind }) => kind),
+  );
   const formula = meta.equation ? new Formula(meta.equation, symbols) : null;
   const content: (HTMLElement | null)[] = [
     group.about ? make("p", { class: "what", title: group.about }, gist(group.about)) : null,

@@ -18,7 +18,14 @@ export interface Control {
   step: number;
   log: boolean;
   optional: boolean;
-  options: string[];
+  options: Option[];
+}
+
+/** What may be chosen; `hint` says more about it. */
+export interface Option {
+  value: string | number;
+  title: string;
+  hint?: string;
 }
 
 /** Where fields are looked up. */
@@ -32,12 +39,25 @@ const LABELS: Record<string, string> = {
   color: "Colour",
   f0: "Reflectance f₀",
   ior: "Refractive index",
+  eta: "Index η",
+  k: "Index k",
   kd: "Diffuse kd",
   ks: "Specular ks",
   fov: "Field of view",
   inner: "Inner angle",
   outer: "Outer angle",
+  height: "View height",
+  casts: "Casts shadows",
+  far: "Shadow range",
+  emissive: "Emitted light",
+  alpha_mode: "Transparency",
+  alpha_cutoff: "Mask cutoff",
+  double_sided: "Both sides",
+  normal_scale: "Normal map strength",
 };
+
+// Metals stay below this in visible light, index and extinction.
+const LARGEST_INDEX = 10;
 
 const BLANK: Omit<Control, "kind" | "name" | "label"> = {
   unit: "",
@@ -85,8 +105,29 @@ export function fieldControls(where: Place, path: string, unit = ""): Control[] 
     optional: isOptional(node),
   };
   if (inner.kind === "color") return colorControls(base, inner);
-  if (inner.enum) return [{ ...base, kind: "option", options: inner.enum }];
-  return inner.type === "array" ? [] : [ranged(base, inner)];
+  if (inner.type === "boolean") return [{ ...base, kind: "bool" }];
+  if (inner.enum) {
+    const options = inner.enum.map((value) => ({ value, title: words(value) }));
+    return [{ ...base, kind: "option", options }];
+  }
+  if (inner.type === "array") return channels(base, inner);
+  return inner.type === "number" || inner.type === "integer" ? [ranged(base, inner)] : [];
+}
+
+/** Three numbers for red, green and blue that are no colour; "auto" is that of all three. */
+function channels(base: Control, node: SchemaNode): Control[] {
+  if (node.kind || node.prefixItems?.length !== 3) return [];
+  const { minimum: min = 0, maximum: max = 1 } = node.prefixItems[0]!;
+  const reach = { low: min, high: Math.min(max, LARGEST_INDEX), min, max, step: 0.01 };
+  return (["red", "green", "blue"] as const).map((part) => ({
+    ...{ ...base, ...reach, part },
+    ...{ label: `${base.label}, ${part}`, optional: base.optional && part === "red" },
+  }));
+}
+
+/** A menu. */
+export function optionControl(name: string, label: string, options: Option[]): Control {
+  return { ...BLANK, kind: "option", name, label, options };
 }
 
 function ranged(base: Control, node: SchemaNode): Control {

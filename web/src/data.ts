@@ -17,6 +17,11 @@ export function thumbnail(name: string): string {
   return `data/thumbs/${path(name)}.png`;
 }
 
+/** Address of an image on surfaces. */
+export function texture(key: string): string {
+  return `data/textures/${key}.png`;
+}
+
 /** A function of the atlas and the inputs to choose axes from, the usual pairs in `axes`. */
 export interface AtlasEntry {
   file: string;

@@ -1,16 +1,21 @@
 // What a field set to "auto" comes to, so that its slider can show it.
 import type { Triple } from "./color";
 import type { Scene } from "./core/types";
-import { drawValues } from "./core/values";
+import { materialValues } from "./core/values";
+import { lightMap } from "./core/viewpoint";
 import { AUTO, type Value } from "./fields";
 import { shorten } from "./number";
 
 // The refractive index of common dielectrics, which reflect 4 % at normal incidence.
 const DIELECTRIC_IOR = 1.5;
+// Any width of a light's map: how far it reaches does not follow from it.
+const SIDE = 1024;
 
-/** The value that holds for a material's field, followed through where it is "auto". */
+/** The value that holds for a field, followed through where it is "auto". */
 export function derived(scene: Scene, name: string): Value {
-  const [, material = "", field = ""] = name.split(".");
+  const [group, material = "", field = ""] = name.split(".");
+  const light = group === "lights" ? scene.lights[material] : undefined;
+  if (light) return field === "far" ? shorten(lightMap(scene, light, SIDE).far, 5) : AUTO;
   const own = scene.materials[material];
   if (!own) return AUTO;
   if (field === "ior") return own.ior ?? DIELECTRIC_IOR;
@@ -18,8 +23,7 @@ export function derived(scene: Scene, name: string): Value {
     const ior = own.ior ?? DIELECTRIC_IOR;
     return own.f0 ?? (Array(3).fill(shorten(((ior - 1) / (ior + 1)) ** 2, 5)) as Triple);
   }
-  const thing = Object.values(scene.objects).find((object) => object.material === material);
-  const found = thing && drawValues(scene, thing)[`u_${field}`];
+  const found = materialValues(own)[`u_${field}`];
   if (!found) return AUTO;
   const factor = field === "kd" || field === "ks" ? Math.PI : 1;
   const values = found.map((value) => shorten(value * factor, 5));
@@ -39,5 +43,20 @@ export function coupled(scene: Scene, name: string, value: Value): Record<string
     if (field === "f0") return { [`${at}.ior`]: AUTO };
     if (field === "ior") return { [`${at}.f0`]: AUTO };
   }
-  return {};
+  return group === "materials" && (field === "eta" || field === "k")
+    ? withPartner(scene, at, field, value)
+    : {};
+}
+
+/** Both parts of a complex index are given, or neither. */
+function withPartner(
+  scene: Scene,
+  at: string,
+  field: "eta" | "k",
+  value: Value,
+): Record<string, Value> {
+  const other = field === "eta" ? "k" : "eta";
+  if (value === AUTO) return { [`${at}.${other}`]: AUTO };
+  const given = scene.materials[at.slice("materials.".length)]?.[other];
+  return given ? {} : { [`${at}.${other}`]: derived(scene, `${at}.${other}`) };
 }

@@ -1,6 +1,5 @@
 // Dialogs: scenes to choose from, the sources that run, the keys.
-import type { Manifest, Plan } from "./core/types";
-import { thumbnail } from "./data";
+import type { Plan } from "./core/types";
 import { make } from "./dom";
 import { address } from "./server";
 import type { State } from "./state";
@@ -24,48 +23,6 @@ export function openDialog(title: string, kind: string, ...content: Node[]): HTM
   document.body.append(dialog);
   dialog.showModal();
   return dialog;
-}
-
-/** The presets with their pictures. */
-export function chooseScene(
-  manifest: Manifest,
-  chosen: string,
-  choose: (name: string) => void,
-): void {
-  const cards = Object.entries(manifest.scenes).map(([name, { title, about }], index) => {
-    const picture = make("img", {
-      src: thumbnail(name),
-      alt: "",
-      width: 192,
-      height: 144,
-      loading: "lazy",
-    });
-    const key = index < 9 ? make("kbd", {}, `${index + 1}`) : null;
-    const words = make(
-      "span",
-      { class: "words" },
-      make("strong", {}, title || name),
-      key,
-      make("span", {}, about),
-    );
-    const click = () => {
-      dialog.close();
-      choose(name);
-    };
-    return make(
-      "button",
-      {
-        type: "button",
-        class: "scene",
-        "aria-current": name === chosen ? "true" : undefined,
-        click,
-      },
-      picture,
-      words,
-    );
-  });
-  const dialog = openDialog("Scenes", "scenes", make("div", { class: "grid" }, ...cards));
-  dialog.querySelector<HTMLElement>("[aria-current]")?.focus();
 }
 
 /** The specialised sources of the plan that is shown, with where each line comes from. */
@@ -120,28 +77,60 @@ export async function copyText(text: string): Promise<boolean> {
   }
 }
 
-const HANDS: [keys: string, what: string][] = [
-  ["Drag", "orbit"],
-  ["Wheel, pinch", "zoom"],
-  ["Right drag, two fingers, Shift drag", "move sideways"],
-  ["Click", "show the material of what is there"],
-  ["Double-click", "go to what is there"],
-  ["Arrow keys, + and -", "orbit and zoom"],
-  ["Home", "camera back to its place"],
-  ["1 to 9", "scenes"],
-  ["H", "hide or show the panel"],
-  ["Ctrl+Z, Ctrl+Shift+Z", "undo, redo"],
-  ["On a slider: arrows, with Shift ten times", "change its value"],
-  ["On a slider's name: double-click, Backspace", "back to its default"],
+const HANDS: [title: string, rows: [keys: string, what: string][]][] = [
+  [
+    "Orbit",
+    [
+      ["Drag", "turn about what is in the middle"],
+      ["Wheel, pinch", "zoom"],
+      ["Right drag, two fingers, Shift drag", "move sideways"],
+      ["Arrow keys, + and -", "orbit and zoom"],
+      ["F", "walk instead"],
+    ],
+  ],
+  [
+    "Walk",
+    [
+      ["W S, A D", "forward and back, left and right"],
+      ["R F", "up and down"],
+      ["Shift", "three times as fast"],
+      ["Drag, arrow keys", "look around"],
+      ["Wheel", "forward and back"],
+      ["Right drag", "move sideways"],
+      ["By touch", "one finger looks, two walk; or use the stick on the picture"],
+      ["Escape", "back to orbit"],
+    ],
+  ],
+  [
+    "Either way",
+    [
+      ["Click", "show the material of what is there"],
+      ["Double-click", "go to what is there"],
+      ["Home", "camera back to its place"],
+      ["1 to 9", "scenes, each as you left it"],
+      ["Drop a file", "open a model: .glb, or .gltf with its files"],
+      ["H", "hide or show the panel"],
+      ["Ctrl+Z, Ctrl+Shift+Z", "undo, redo"],
+      ["On a slider: arrows, with Shift ten times", "change its value"],
+      ["On a slider's name: double-click, Backspace", "back to its default"],
+    ],
+  ],
 ];
 
-/** The keys, and the same picture by other means. */
-export function showHelp(state: State): void {
+/** The keys, and the same picture by other means; `file` is that of a model opened here. */
+export function showHelp(state: State, file: string | null): void {
   const keys = make(
     "table",
     {},
-    ...HANDS.map(([key, what]) =>
-      make("tr", {}, make("th", { scope: "row" }, key), make("td", {}, what)),
+    ...HANDS.map(([title, rows]) =>
+      make(
+        "tbody",
+        {},
+        make("tr", {}, make("th", { colspan: 2, scope: "rowgroup", class: "part" }, title)),
+        ...rows.map(([key, what]) =>
+          make("tr", {}, make("th", { scope: "row" }, key), make("td", {}, what)),
+        ),
+      ),
     ),
   );
   const about = make(
@@ -152,21 +141,20 @@ export function showHelp(state: State): void {
   const set = Object.entries(state.settings).map(
     ([name, value]) => ` --set ${quoted(`${name}=${value}`)}`,
   );
-  const command = `lightbench render ${state.scene}${set.join("")}`;
+  const command = `lightbench render ${file ? quoted(file) : state.scene}${set.join("")}`;
   const link = new URL(address(state, [640, 480]), location.href.split("#")[0]).href;
+  const elsewhere = file
+    ? "The model is a file of your own, which no address leads to. The command line draws it too:"
+    : "The address of this page is the picture. The same names work on the command line and over HTTP:";
   openDialog(
     "Help",
     "help",
     about,
     keys,
     make("h3", {}, "This picture elsewhere"),
-    make(
-      "p",
-      {},
-      "The address of this page is the picture. The same names work on the command line and over HTTP:",
-    ),
+    make("p", {}, elsewhere),
     make("pre", { tabindex: 0 }, command),
-    make("pre", { tabindex: 0 }, link),
+    ...(file ? [] : [make("pre", { tabindex: 0 }, link)]),
   );
 }
 

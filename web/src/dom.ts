@@ -34,3 +34,15 @@ export function isTyping(target: EventTarget | null): boolean {
   if (target instanceof HTMLInputElement) return !["checkbox", "range"].includes(target.type);
   return target.isContentEditable || ["SELECT", "TEXTAREA"].includes(target.tagName);
 }
+
+/** Put the options of a menu under headings, each option under its own; one heading is none. */
+export function grouped(select: HTMLSelectElement, headings: readonly string[]): void {
+  if (new Set(headings).size < 2) return;
+  const options = [...select.options];
+  const chosen = select.value;
+  const groups = [...new Set(headings)].map((label) =>
+    make("optgroup", { label }, ...options.filter((_, index) => headings[index] === label)),
+  );
+  select.replaceChildren(...groups);
+  select.value = chosen;
+}

@@ -1,6 +1,7 @@
 // Names of settings: what a name stands for, its kind, its default. No values of a session here.
 import { isHex, toHex } from "./color";
 import { parameters } from "./core/library";
+import { LIBRARY_FIELDS } from "./core/materials";
 import type { Manifest, Parameter, Scene, SchemaNode } from "./core/types";
 
 export type Value = number | boolean | string | number[];
@@ -47,9 +48,10 @@ export function defaultOf(manifest: Manifest, scene: Scene, name: string, above:
   const own = scene.settings[name];
   if (own !== undefined) return own;
   if (name.includes(".")) {
-    const value = valueAt(scene, name);
+    const value = ofLibrary(manifest, name, above) ?? valueAt(scene, name);
     if (value === null) return AUTO;
     if (value !== undefined) return value as Value;
+    if (name.startsWith("materials.")) return AUTO; // a choice that is the scene's
     const extra = name.split(".")[2] ?? "";
     return above[extra] ?? defaultOf(manifest, scene, extra, above);
   }
@@ -57,12 +59,29 @@ export function defaultOf(manifest: Manifest, scene: Scene, name: string, above:
   return folder?.default ?? (parameterOf(manifest, name)?.default as Value | undefined) ?? AUTO;
 }
 
+/** What a material's field is by the library material that the settings name; else undefined. */
+function ofLibrary(manifest: Manifest, name: string, above: Values): unknown {
+  const [group, material, field = ""] = name.split(".");
+  const named = above[`${group}.${material}.library`];
+  if (group !== "materials" || typeof named !== "string") return undefined;
+  const found = manifest.materials[named];
+  if (!found || !(field in found)) return undefined;
+  return found[field as keyof typeof found] ?? AUTO;
+}
+
+/** Whether a setting is of a material, and such as a library material brings along. */
+export function isLibraryField(name: string): boolean {
+  const [group, , field = ""] = name.split(".");
+  return group === "materials" && (LIBRARY_FIELDS as readonly string[]).includes(field);
+}
+
 /** A value from the text of a link; text that is no such value is kept for the error message. */
 export function parse(manifest: Manifest, scene: Scene, name: string, text: string): Value {
   const parameter = parameterOf(manifest, name);
   const node = given(fieldSchema(manifest, scene, name) ?? {});
   const kind = parameter?.kind ?? node.kind ?? node.type;
-  if (kind === "bool" && /^(true|1|false|0)$/i.test(text)) return /^(true|1)$/i.test(text);
+  if ((kind === "bool" || kind === "boolean") && /^(true|1|false|0)$/i.test(text))
+    return /^(true|1)$/i.test(text);
   if (kind === "color" && isHex(text)) return text.replace("#", "").toLowerCase();
   if (kind === "color" || kind === "array") return numbers(text) ?? text;
   if (kind === "float" || kind === "int" || kind === "number" || kind === "integer") {

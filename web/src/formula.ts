@@ -6,6 +6,8 @@ type Katex = typeof import("katex");
 let loading: Promise<Katex> | undefined;
 // Smallest size, relative to the text, to which a formula shrinks before it scrolls.
 const SMALLEST = 0.72;
+// What stands between the parts of a formula.
+const PART = /,\s*\\q?quad\s*/;
 
 /** Fetch the typesetter and its style; called once there is time for it. */
 export function loadTypesetter(): Promise<Katex> {
@@ -18,9 +20,10 @@ export function loadTypesetter(): Promise<Katex> {
 /** An element that becomes the formula; its symbols light up through `light`. */
 export class Formula {
   readonly element = document.createElement("div");
+  private katex: Katex | null = null;
 
   constructor(
-    private readonly tex: string,
+    private tex: string,
     private readonly symbols: readonly string[],
   ) {
     this.element.className = "formula";
@@ -42,11 +45,30 @@ export class Formula {
     const style = this.element.style;
     style.fontSize = "";
     const share = this.element.clientWidth / Math.max(this.element.scrollWidth, 1);
+    if (share > 0 && share < SMALLEST && this.katex && this.breakLines()) {
+      this.fit();
+      return;
+    }
     if (share > 0 && share < 1) style.fontSize = `${Math.max(share * 0.99, SMALLEST)}em`;
   }
 
   private async typeset(): Promise<void> {
-    const katex = await loadTypesetter();
+    this.katex = await loadTypesetter();
+    this.render(this.katex);
+    await document.fonts?.ready;
+    this.fit();
+  }
+
+  /** A formula too wide for one line stands in several, if it has parts; false where it has not. */
+  private breakLines(): boolean {
+    const parts = this.tex.split(PART);
+    if (parts.length < 2) return false;
+    this.tex = `\\begin{gathered}${parts.join(",\\\\[0.6em]")}\\end{gathered}`;
+    this.render(this.katex!);
+    return true;
+  }
+
+  private render(katex: Katex): void {
     const options = {
       displayMode: true,
       throwOnError: false,
@@ -54,7 +76,5 @@ export class Formula {
       trust: ({ command }: { command: string }) => command === "\\htmlClass",
     };
     this.element.innerHTML = katex.renderToString(mark(this.tex, this.symbols), options);
-    await document.fonts?.ready;
-    this.fit();
   }
 }

@@ -2,7 +2,8 @@
 import { resolve } from "./core/settings";
 import type { Manifest, Scene } from "./core/types";
 import type { Values } from "./fields";
-import { accept, read, write } from "./state";
+import { isOpened } from "./scenes";
+import { accept, read, type State, write } from "./state";
 import type { Store } from "./store";
 
 // Browsers refuse more than a hundred changes of the address in half a minute.
@@ -10,6 +11,8 @@ const WRITE_MILLISECONDS = 150;
 
 export class Link {
   private timer: ReturnType<typeof setTimeout> | undefined;
+  /** What the address says, or is about to: never a model opened here, which no link leads to. */
+  private said: State | null = null;
 
   constructor(
     private readonly store: Store,
@@ -29,16 +32,24 @@ export class Link {
     return settings;
   }
 
-  /** Put the state into the address, once it has settled. */
+  /** The preset that the address names, or is about to. */
+  get preset(): string {
+    return this.said?.scene ?? "";
+  }
+
+  /** Put the state into the address, once it has settled; a model of a person's own stays out. */
   write(): void {
+    if (isOpened(this.store.state.scene)) return;
+    this.said = this.store.state;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.flush(), WRITE_MILLISECONDS);
   }
 
-  /** The link to the state as it is now. */
+  /** The link to the preset as it is now, or as it was last. */
   flush(): string {
     clearTimeout(this.timer);
-    const hash = `#${write(this.store.state)}`;
+    if (!isOpened(this.store.state.scene)) this.said = this.store.state;
+    const hash = this.said ? `#${write(this.said)}` : location.hash;
     if (location.hash !== hash) history.replaceState(null, "", hash);
     return location.href;
   }

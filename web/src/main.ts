@@ -1,6 +1,7 @@
 // The page: loads the library and a scene, and ties state, picture and panel together.
 import "./style/picture.css";
 import "./style/page.css";
+import "./style/walk.css";
 import "./style/panel.css";
 import "./style/dialog.css";
 import { App } from "./app";

@@ -6,11 +6,13 @@ export class Notices {
 
   constructor(private readonly root: HTMLElement) {}
 
-  /** A sentence that stays until it is dismissed, or for so many seconds. */
-  say(sentence: string, seconds = 0): void {
+  /** A sentence that stays until it is dismissed, or for so many seconds, or another on its topic. */
+  say(sentence: string, seconds = 0, topic = ""): void {
+    if (topic) this.forget(topic);
     if ([...this.root.children].some((notice) => notice.firstChild?.textContent === sentence))
       return;
-    const notice = make("div", { class: "notice" }, make("p", {}, sentence));
+    const about = topic || undefined;
+    const notice = make("div", { class: "notice", "data-topic": about }, make("p", {}, sentence));
     const click = () => notice.remove();
     notice.append(make("button", { type: "button", "aria-label": "Dismiss", click }, "×"));
     this.root.append(notice);
@@ -24,6 +26,11 @@ export class Notices {
     this.failure =
       sentence === null ? null : make("div", { class: "notice failure" }, make("p", {}, sentence));
     if (this.failure) this.root.prepend(this.failure);
+  }
+
+  /** Take back what was said on a topic. */
+  forget(topic: string): void {
+    this.root.querySelector(`[data-topic="${topic}"]`)?.remove();
   }
 
   clear(): void {

@@ -1,11 +1,16 @@
-// The camera's movements, as pure functions of where it is.
+// The camera's movements about what it looks at, as pure functions of where it is.
 import { vec3 } from "gl-matrix";
-import { clamp } from "./number";
+import "./core/matrix"; // vectors of float64
+import { clamp, shorten } from "./number";
 
+/** A camera, as far as hands move it; `fov` is vertical, in degrees, `height` in metres. */
 export interface Pose {
   eye: readonly number[];
   target: readonly number[];
   up: readonly number[];
+  fov: number;
+  projection?: "perspective" | "orthographic";
+  height?: number | null;
 }
 
 // Nearest to straight up or down, in radians, at which up still says what is left and right.
@@ -13,11 +18,21 @@ const POLE = 0.01;
 const NEAREST = 1e-3;
 const FARTHEST = 1e5;
 
-const vector = (v: readonly number[]) => vec3.fromValues(v[0] ?? 0, v[1] ?? 0, v[2] ?? 0);
+export const vector = (v: readonly number[]) => vec3.fromValues(v[0] ?? 0, v[1] ?? 0, v[2] ?? 0);
 
 /** Distance from the eye to what it looks at. */
 export function distance(pose: Pose): number {
   return vec3.distance(vector(pose.eye), vector(pose.target));
+}
+
+export function isOrthographic(pose: Pose): boolean {
+  return pose.projection === "orthographic";
+}
+
+/** Metres that the picture's height spans at the target. */
+export function span(pose: Pose): number {
+  if (isOrthographic(pose)) return pose.height ?? 1;
+  return 2 * distance(pose) * Math.tan((pose.fov * Math.PI) / 360);
 }
 
 /** Turn about the target by two angles in radians, to the left and up. */
@@ -33,57 +48,94 @@ export function orbit(pose: Pose, left: number, above: number): Pose {
   vec3.scaleAndAdd(eye, eye, right, flat * Math.sin(azimuth));
   vec3.scaleAndAdd(eye, eye, forward, flat * Math.cos(azimuth));
   vec3.scaleAndAdd(eye, eye, up, radius * Math.sin(elevation));
-  return rounded({ ...pose, eye: [...eye] });
+  return { ...pose, eye: [...eye] };
 }
 
-/** Move towards the target (factor below 1) or away from it. */
+/** Move towards the target (factor below 1) or away from it; without perspective, show less. */
 export function zoom(pose: Pose, factor: number): Pose {
+  if (isOrthographic(pose))
+    return { ...pose, height: clamp(span(pose) * factor, NEAREST, FARTHEST) };
   const now = distance(pose);
   const next = clamp(now * factor, NEAREST, FARTHEST) / now;
   const eye = vec3.lerp(vec3.create(), vector(pose.target), vector(pose.eye), next);
-  return rounded({ ...pose, eye: [...eye] });
+  return { ...pose, eye: [...eye] };
 }
 
-/** Move eye and target across the picture; 1 is its height. `fov` is vertical, in degrees. */
-export function pan(pose: Pose, fov: number, rightward: number, upward: number): Pose {
+/** Move eye and target across the picture; 1 is its height. */
+export function pan(pose: Pose, rightward: number, upward: number): Pose {
   const { across, upright } = screenAxes(pose);
-  const height = 2 * distance(pose) * Math.tan((fov * Math.PI) / 360);
   const shift = vec3.create();
-  vec3.scaleAndAdd(shift, shift, across, rightward * height);
-  vec3.scaleAndAdd(shift, shift, upright, upward * height);
-  const eye = vec3.add(vec3.create(), vector(pose.eye), shift);
-  const target = vec3.add(vec3.create(), vector(pose.target), shift);
-  return rounded({ ...pose, eye: [...eye], target: [...target] });
+  vec3.scaleAndAdd(shift, shift, across, rightward * span(pose));
+  vec3.scaleAndAdd(shift, shift, upright, upward * span(pose));
+  return shifted(pose, [...shift]);
 }
 
-/** Look at a point from the same side, `away` metres from it. */
-export function focus(pose: Pose, point: readonly number[], away: number): Pose {
+/** Eye and target moved by so many metres. */
+export function shifted(pose: Pose, by: readonly number[]): Pose {
+  const moved = (v: readonly number[]) => v.map((c, axis) => c + (by[axis] ?? 0));
+  return { ...pose, eye: moved(pose.eye), target: moved(pose.target) };
+}
+
+/** Look at a point from the same side, from where the picture's height spans `height` metres. */
+export function focus(pose: Pose, point: readonly number[], height: number): Pose {
   const direction = vec3.subtract(vec3.create(), vector(pose.eye), vector(point));
   const length = vec3.length(direction);
   if (length === 0) return pose;
+  if (isOrthographic(pose)) return { ...centred(pose, point), height };
+  const away = height / 2 / Math.tan((pose.fov * Math.PI) / 360);
   const eye = vec3.scaleAndAdd(vec3.create(), vector(point), direction, away / length);
-  return rounded({ ...pose, eye: [...eye], target: [...point] });
+  return { ...pose, eye: [...eye], target: [...point] };
+}
+
+/** The same view of another target. */
+function centred(pose: Pose, target: readonly number[]): Pose {
+  return shifted(pose, [...vec3.subtract(vec3.create(), vector(target), vector(pose.target))]);
+}
+
+/** The same view, turning about another point of the middle axis, `away` metres from the eye. */
+export function aimed(pose: Pose, away: number): Pose {
+  const { ahead } = screenAxes(pose);
+  return {
+    ...pose,
+    target: [...vec3.scaleAndAdd(vec3.create(), vector(pose.eye), ahead, away)],
+  };
 }
 
 /** A pose between two others: 0 is the first, 1 the second. */
 export function between(from: Pose, to: Pose, share: number): Pose {
+  if (share >= 1) return to;
+  const blend = (a: number, b: number) => a + (b - a) * share;
   const mix = (a: readonly number[], b: readonly number[]) =>
-    a.map((value, axis) => value + ((b[axis] ?? 0) - value) * share);
-  return share >= 1
-    ? to
-    : rounded({ ...to, eye: mix(from.eye, to.eye), target: mix(from.target, to.target) });
+    a.map((v, at) => blend(v, b[at] ?? 0));
+  const flat = isOrthographic(from) && isOrthographic(to);
+  return {
+    ...to,
+    eye: mix(from.eye, to.eye),
+    target: mix(from.target, to.target),
+    ...(flat ? { height: blend(span(from), span(to)) } : {}),
+  };
 }
 
-/** Unit direction of the ray through a point of the picture: x and y from -1 to 1, y up. */
-export function ray(pose: Pose, fov: number, aspect: number, x: number, y: number): number[] {
+/** The ray through a point of the picture: x and y from -1 to 1, y up; `along` is a unit vector. */
+export function ray(
+  pose: Pose,
+  aspect: number,
+  x: number,
+  y: number,
+): { from: number[]; along: number[] } {
   const { across, upright, ahead } = screenAxes(pose);
-  const tangent = Math.tan((fov * Math.PI) / 360);
-  vec3.scaleAndAdd(ahead, ahead, across, x * tangent * aspect);
-  vec3.scaleAndAdd(ahead, ahead, upright, y * tangent);
-  return [...vec3.normalize(ahead, ahead)];
+  const half = isOrthographic(pose) ? span(pose) / 2 : Math.tan((pose.fov * Math.PI) / 360);
+  const offset = vec3.scale(vec3.create(), across, x * half * aspect);
+  vec3.scaleAndAdd(offset, offset, upright, y * half);
+  if (isOrthographic(pose)) {
+    return { from: [...vec3.add(offset, offset, vector(pose.eye))], along: [...ahead] };
+  }
+  vec3.add(ahead, ahead, offset);
+  return { from: [...pose.eye], along: [...vec3.normalize(ahead, ahead)] };
 }
 
-function axes(up: readonly number[]) {
+/** Unit vectors of which `up` is the second: azimuths count from `forward` towards `right`. */
+export function axes(up: readonly number[]) {
   const unit = vec3.normalize(vec3.create(), vector(up));
   const other = Math.abs(unit[1]) < 0.9 ? [0, 1, 0] : [0, 0, 1];
   const right = vec3.cross(vec3.create(), unit, vector(other));
@@ -99,9 +151,11 @@ function screenAxes(pose: Pose) {
   return { ahead, across, upright: vec3.cross(vec3.create(), across, ahead) };
 }
 
-/** Numbers short enough for a link: a hundred-thousandth of the distance is no visible step. */
-function rounded(pose: Pose): Pose {
-  const digits = clamp(5 - Math.ceil(Math.log10(distance(pose))), 0, 9);
+/** Numbers short enough for a link: a step of a hundred-thousandth is not seen. */
+export function rounded(pose: Pose): Pose {
+  const size = isOrthographic(pose) ? Math.min(distance(pose), span(pose)) : distance(pose);
+  const digits = clamp(5 - Math.ceil(Math.log10(size)), 0, 9);
   const round = (v: readonly number[]) => v.map((c) => Number(c.toFixed(digits)) + 0);
-  return { ...pose, eye: round(pose.eye), target: round(pose.target) };
+  const height = pose.height ? { height: shorten(pose.height, 6) } : {};
+  return { ...pose, eye: round(pose.eye), target: round(pose.target), ...height };
 }

@@ -4,15 +4,19 @@ import { Access, put } from "./access";
 import { choiceCard } from "./card";
 import { toHex } from "./color";
 import type { Control } from "./control";
-import { describe, type Group, type Situation, TABS, type Tab } from "./controls";
+import { describe } from "./controls";
+import type { Scene } from "./core/types";
+import { texture } from "./data";
 import { make } from "./dom";
 import type { Formula } from "./formula";
+import { type Group, type Situation, TABS, type Tab } from "./groups";
 import { recall, remember } from "./memory";
 import { triple } from "./parts";
 import { addRow, type Row } from "./row";
 import type { Store } from "./store";
 import { symbolOf } from "./symbols";
 import { Tabs } from "./tabs";
+import { addViews, type ViewMenu } from "./views";
 
 interface Page {
   gui: GUI;
@@ -21,18 +25,26 @@ interface Page {
   formulas: Formula[];
 }
 
+const MOVING = ["camera.eye", "camera.target"];
+// What of a material stands beside the models, where it is in use, and what these read themselves.
+const BASIC = ["base_color", "metalness", "roughness"];
+// More folds than this stand closer together.
+const MANY = 10;
+
 export class Panel {
   private readonly pages = new Map<Tab, Page>();
   private readonly tabs: Tabs;
   private now: Situation | null = null;
   private held = false;
+  /** What the rows were made for. */
+  private made: { preset: Scene | null; facts: string } = { preset: null, facts: "" };
   /** The material that was pointed at. */
   private pointed: string | null = null;
 
   constructor(
     private readonly root: HTMLElement,
     private readonly store: Store,
-    private readonly home: () => void,
+    private readonly views: ViewMenu,
   ) {
     this.tabs = new Tabs(root, () => {
       this.follow();
@@ -65,6 +77,7 @@ export class Panel {
       remember(`fold:${id}`, true);
       this.pages.get("material")!.key = "";
     }
+    this.made.preset = null;
     this.rebuild();
     if (this.tabs.selected !== "material") return;
     this.root.querySelector(`[data-group="${id}"]`)?.scrollIntoView({ block: "nearest" });
@@ -87,11 +100,11 @@ export class Panel {
   }
 
   private rebuild(): void {
-    if (!this.now) return;
+    if (!this.now || this.isMade(this.now)) return;
     const groups = this.arranged(describe(this.now));
     for (const [tab, page] of this.pages) {
       const own = groups.filter((group) => group.tab === tab);
-      const facts = own.map((g) => [g.id, g.title, g.about, g.choice?.chosen, g.controls]);
+      const facts = own.map((g) => [g.id, g.title, g.about, g.choice?.chosen, g.controls, g.views]);
       const key = JSON.stringify(facts);
       if (key === page.key) continue;
       page.key = key;
@@ -100,18 +113,26 @@ export class Panel {
     }
   }
 
+  /** Whether the rows are those for this: where the camera stands changes none of them. */
+  private isMade({ preset, settings, plan }: Situation): boolean {
+    const still = Object.entries(settings).filter(([name]) => !MOVING.includes(name));
+    const facts = JSON.stringify([still, plan.settings, plan.files, Object.keys(plan.textures)]);
+    const before = this.made;
+    this.made = { preset, facts };
+    return before.preset === preset && before.facts === facts;
+  }
+
   /** One surface also leads the Model tab, so that its sliders stand beside the formulas. */
   private arranged(groups: Group[]): Group[] {
     const find = (name: string | null | undefined) =>
       groups.find((group) => group.id === `materials.${name}`);
     const surface = find(this.pointed) ?? find(this.prominent());
     if (!surface) return groups;
-    const direct = new Set(
-      groups.flatMap((g) => (g.tab === "model" ? (g.choice?.meta.material ?? []) : [])),
-    );
-    const controls = surface.controls.filter(
-      ({ name, optional }) => !optional || direct.has(name.split(".").at(-1)!),
-    );
+    const fields = new Set([
+      ...BASIC,
+      ...groups.flatMap((g) => (g.tab === "model" ? (g.choice?.meta.material ?? []) : [])),
+    ]);
+    const controls = surface.controls.filter(({ name }) => fields.has(name.split(".").at(-1)!));
     const title = `Material: ${surface.title}`;
     return [{ ...surface, id: "surface", tab: "model", title, controls }, ...groups];
   }
@@ -130,6 +151,7 @@ export class Panel {
     page.rows = [];
     page.formulas = [];
     const symbols = [...new Set(groups.flatMap((g) => g.controls.map((c) => symbolOf(c.name))))];
+    page.gui.domElement.classList.toggle("many", groups.length > MANY);
     for (const group of groups) this.addGroup(page, group, symbols, groups);
     if (!focused) return;
     page.gui.domElement.querySelector<HTMLElement>(`[data-control="${focused}"]`)?.focus();
@@ -140,10 +162,11 @@ export class Panel {
     fold.domElement.dataset.group = group.id;
     if (group.choice) this.addCard(page, fold, group, symbols);
     else if (group.about) fold.$children.append(make("p", { class: "about" }, group.about));
+    if (group.views?.length) page.rows.push(addViews(fold, group.views, this.views));
     for (const control of group.controls)
       page.rows.push(this.addControl(page, fold, control, group.id));
     if (group.id === "camera")
-      fold.add({ home: this.home }, "home").name("Back to the scene's view");
+      fold.add({ home: () => this.views.show("") }, "home").name("Back to the scene's view");
     this.keepFold(fold, group, all);
   }
 
@@ -164,16 +187,26 @@ export class Panel {
     };
     const id = `${group}/${control.name}/${control.part ?? ""}`;
     const row = addRow(fold, control, access, { id, light });
-    const isFirst = fold.controllers.length === 1;
+    const isFirst = !fold.$title.querySelector(".swatch");
     if (control.kind !== "color" || !isFirst || !control.name.includes(".")) return row;
     const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
     fold.$title.append(swatch);
     const update = () => {
       row.update();
-      swatch.style.background = `#${toHex(triple(access.value()))}`;
+      swatch.style.backgroundColor = `#${toHex(triple(access.value()))}`;
+      const image = this.imageOf(control.name);
+      swatch.style.backgroundImage = image ? `url("${image}")` : "";
     };
     update();
     return { update };
+  }
+
+  /** Address of the image that is multiplied with a colour. */
+  private imageOf(name: string): string | null {
+    const [group, material = "", slot = ""] = name.split(".");
+    const { scene } = this.now!;
+    const map = group === "materials" ? scene.materials[material]?.maps[slot] : undefined;
+    return map ? texture(scene.textures[map.texture]!.image) : null;
   }
 
   /** Of several lights or materials one stands open; a choice without a choice stays closed. */

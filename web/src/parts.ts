@@ -4,9 +4,16 @@ import { fromHex, hue, isHex, level, toHex } from "./color";
 import type { Value } from "./fields";
 import { shorten } from "./number";
 
-export type Part = "x" | "y" | "z" | "azimuth" | "elevation" | "hue" | "level";
+export type Part =
+  | ("x" | "y" | "z")
+  | ("red" | "green" | "blue")
+  | "azimuth"
+  | "elevation"
+  | "hue"
+  | "level";
 
-const AXES = ["x", "y", "z"];
+const AXES: readonly Part[] = ["x", "y", "z"];
+const CHANNELS: readonly Part[] = ["red", "green", "blue"];
 const DEGREES = 180 / Math.PI;
 
 /** Three numbers of a vector or of a colour in either spelling. */
@@ -23,7 +30,7 @@ export function readPart(value: Value, part: Part): number | string {
   if (part === "azimuth") return shorten(Math.atan2(v[0]!, v[2]!) * DEGREES, 6);
   if (part === "elevation")
     return shorten(Math.atan2(v[1]!, Math.hypot(v[0]!, v[2]!)) * DEGREES, 6);
-  return v[AXES.indexOf(part)] ?? 0;
+  return v[placeOf(part)] ?? 0;
 }
 
 /** The value with one part replaced. */
@@ -34,7 +41,11 @@ export function writePart(value: Value, part: Part, next: number | string): Valu
   if (part === "level") return hue(v).map((c) => shorten(c * number, 6));
   if (part === "azimuth") return direction(number, Number(readPart(v, "elevation")));
   if (part === "elevation") return direction(Number(readPart(v, "azimuth")), number);
-  return v.map((c, axis) => (axis === AXES.indexOf(part) ? number : c));
+  return v.map((c, axis) => (axis === placeOf(part) ? number : c));
+}
+
+function placeOf(part: Part): number {
+  return Math.max(AXES.indexOf(part), CHANNELS.indexOf(part));
 }
 
 /** Unit vector of two angles in degrees: azimuth from z towards x, elevation from the ground up. */

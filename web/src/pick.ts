@@ -1,6 +1,8 @@
-// Which object a ray meets first, by the exact shapes.
+// Which object a ray meets first, by the exact shapes and by the triangles of meshes.
 import { mat4, vec3 } from "gl-matrix";
-import type { Scene, SceneObject } from "./core/types";
+import type { Mesh } from "./core/mesh";
+import type { Material, MeshAsset, Scene, SceneObject } from "./core/types";
+import { meetBox, meetMesh } from "./triangles";
 
 export interface Hit {
   name: string;
@@ -11,11 +13,17 @@ export interface Hit {
 
 type Vector = readonly number[];
 
-/** The first object along a ray from `eye`; null where there is none. */
-export function pick(scene: Scene, eye: Vector, direction: Vector): Hit | null {
+/** The mesh of a key; undefined while it is not there. */
+export type Meshes = (key: string) => Mesh | undefined;
+
+// A ray meets so many triangles within about 30 ms; a larger mesh is met by its box.
+const MOST_TRIANGLES = 2e6;
+
+/** The first visible object along a ray from `eye`; null where there is none. */
+export function pick(scene: Scene, eye: Vector, direction: Vector, meshes: Meshes): Hit | null {
   let best: Hit | null = null;
   for (const [name, object] of Object.entries(scene.objects)) {
-    const distance = meet(object, eye, direction);
+    const distance = meet(scene, object, eye, direction, meshes);
     if (distance !== null && distance < (best?.distance ?? Number.POSITIVE_INFINITY)) {
       const point = eye.map((c, axis) => c + distance * (direction[axis] ?? 0));
       best = { name, object, point, distance };
@@ -24,17 +32,46 @@ export function pick(scene: Scene, eye: Vector, direction: Vector): Hit | null {
   return best;
 }
 
-function meet(object: SceneObject, eye: Vector, direction: Vector): number | null {
+/** Where a blended surface lets everything through there is nothing to point at. */
+function isClear({ alpha_mode, opacity, alpha_cutoff }: Material): boolean {
+  if (alpha_mode === "blend") return opacity === 0;
+  return alpha_mode === "mask" && opacity < alpha_cutoff;
+}
+
+function meet(
+  scene: Scene,
+  object: SceneObject,
+  eye: Vector,
+  direction: Vector,
+  meshes: Meshes,
+): number | null {
+  const material = scene.materials[object.material];
   const inverse = mat4.invert(mat4.create(), matrix(object));
-  if (!inverse) return null;
+  if (!inverse || !material || isClear(material)) return null;
   const from = vec3.transformMat4(vec3.create(), eye as vec3, inverse);
   const to = vec3.add(vec3.create(), eye as vec3, direction as vec3);
   vec3.transformMat4(to, to, inverse);
   const along = vec3.subtract(vec3.create(), to, from);
-  return first(object.shape, [...from], [...along]);
+  const asset = scene.meshes[object.mesh ?? ""];
+  if (asset) return ofMesh(asset, meshes(asset.mesh), [...from], [...along], material.double_sided);
+  return first(object.shape, [...from], [...along], material.double_sided);
 }
 
-function matrix(object: SceneObject): mat4 {
+function ofMesh(
+  asset: MeshAsset,
+  mesh: Mesh | undefined,
+  from: Vector,
+  along: Vector,
+  bothSides: boolean,
+): number | null {
+  const enters = meetBox(asset, from, along);
+  if (enters === null) return null;
+  if (!mesh || mesh.indices.length > 3 * MOST_TRIANGLES) return enters || null;
+  return meetMesh(mesh, from, along, bothSides);
+}
+
+/** From an object's own space to the world's. */
+export function matrix(object: SceneObject): mat4 {
   const [x = 0, y = 0, z = 0] = object.rotation.map((angle) => (angle * Math.PI) / 180);
   const m = mat4.fromTranslation(mat4.create(), object.position as vec3);
   mat4.rotateZ(m, m, z);
@@ -43,11 +80,16 @@ function matrix(object: SceneObject): mat4 {
   return mat4.scale(m, m, object.scale as vec3);
 }
 
-/** The smallest positive parameter of `from + t along` on the outside of a unit shape. */
-function first(shape: SceneObject["shape"], from: Vector, along: Vector): number | null {
+/** The smallest positive parameter of `from + t along` on the drawn sides of a unit shape. */
+function first(
+  shape: SceneObject["shape"],
+  from: Vector,
+  along: Vector,
+  bothSides: boolean,
+): number | null {
   const found = crossings(shape, from, along).filter(([t, normal]) => {
     const facing = normal.reduce((sum, c, axis) => sum + c * (along[axis] ?? 0), 0) < 0;
-    return t > 1e-6 && facing;
+    return t > 1e-6 && (facing || bothSides);
   });
   return found.length ? Math.min(...found.map(([t]) => t)) : null;
 }

@@ -1,20 +1,22 @@
 // `window.lightbench`: the page's own tools for tests and for the console.
 import type { Panel } from "./atlas_error";
-import type { MeshLoader } from "./core/mesh";
+import { createContext } from "./core/context";
 import { plan } from "./core/plan";
-import { createContext, Renderer } from "./core/render";
+import { type Assets, Renderer } from "./core/render";
 import type { Settings } from "./core/settings";
 import type { Manifest, Plan, Program, Scene } from "./core/types";
 import { loadAtlasMap } from "./data";
 
 const WARM_UP = 3;
 
-/** RGBA rows from the top: linear radiance and display codes. */
+/** RGBA rows from the top: linear radiance (or another attachment) and display codes. */
 export interface Picture {
   linear: Float32Array;
   display: Uint8Array;
   width: number;
   height: number;
+  /** Width and height of `linear`, which an attachment may have of its own. */
+  size: readonly number[];
   renderer: string;
 }
 
@@ -22,8 +24,18 @@ export interface Probe {
   /** Resolves with the first picture. */
   ready: Promise<void>;
   /** A picture of a preset, drawn aside: the page's own stays as it is. */
-  render(scene: string, settings?: Settings, size?: [number, number]): Promise<Picture>;
-  plan(scene: string, settings?: Settings, size?: [number, number]): Promise<Plan>;
+  render(
+    scene: string,
+    settings?: Settings,
+    size?: [number, number],
+    attachment?: string,
+  ): Promise<Picture>;
+  plan(
+    scene: string,
+    settings?: Settings,
+    size?: [number, number],
+    attachment?: string,
+  ): Promise<Plan>;
   /**
    * Wall-clock milliseconds of whole frames after a warm-up: planning, drawing, and the read-back of
    * one pixel that waits for its end.
@@ -40,6 +52,8 @@ export interface Probe {
   link(): string;
   /** The programs of the picture that is shown. */
   programs(): readonly Program[];
+  /** How often each pass of the page's own pictures has run, by its name. */
+  runs(): Readonly<Record<string, number>>;
 }
 
 declare global {
@@ -52,19 +66,20 @@ declare global {
 export interface Bench {
   manifest: Promise<Manifest>;
   scene(name: string): Promise<Scene>;
-  meshes: MeshLoader;
+  assets: Assets;
   link(): string;
   shown(): Plan | null;
+  runs(): Readonly<Record<string, number>>;
   ready: Promise<void>;
 }
 
 export function makeProbe(bench: Bench): Probe {
   let renderer: Renderer | null = null;
-  const planned: Probe["plan"] = async (scene, settings = {}, size = [640, 480]) =>
-    plan(await bench.manifest, await bench.scene(scene), settings, size);
+  const planned: Probe["plan"] = async (scene, settings = {}, size = [640, 480], attachment) =>
+    plan(await bench.manifest, await bench.scene(scene), settings, size, attachment);
   const prepared = async (found: Plan): Promise<Renderer> => {
     if (renderer?.gl.isContextLost()) renderer = null;
-    renderer ??= new Renderer(createContext(new OffscreenCanvas(1, 1)), bench.meshes);
+    renderer ??= new Renderer(createContext(new OffscreenCanvas(1, 1)), bench.assets);
     await renderer.prepare(found);
     return renderer;
   };
@@ -73,13 +88,16 @@ export function makeProbe(bench: Bench): Probe {
     plan: planned,
     link: bench.link,
     programs: () => bench.shown()?.programs ?? [],
-    async render(scene, settings = {}, size = [640, 480]) {
-      const found = await planned(scene, settings, size);
+    runs: bench.runs,
+    async render(scene, settings = {}, size = [640, 480], attachment) {
+      const found = await planned(scene, settings, size, attachment);
       const aside = await prepared(found);
       aside.run(found);
       const [width, height] = size;
       const linear = aside.readLinear();
-      return { linear, display: aside.readDisplay(), width, height, renderer: aside.name };
+      const { size: own } = found.targets[found.outputs.linear!]!;
+      const display = aside.readDisplay();
+      return { linear, display, width, height, size: own, renderer: aside.name };
     },
     async atlas(file, name, x, y) {
       const { compute, unpack } = await import("./atlas_gl");

@@ -49,22 +49,39 @@ export function addRow(fold: GUI, control: Control, access: Access, place: Place
   }
   row.classList.toggle("long", control.label.length > LONG && control.kind === "number");
   nameRow(controller, control, access, place.id);
+  const hint = hintBelow(control, access, row);
   const update = () => {
     controller.updateDisplay();
+    hint();
     const modified = access.isModified();
     row.classList.toggle("modified", modified);
     reset.hidden = !modified;
     auto?.setAttribute("aria-pressed", `${access.isAuto()}`);
-    row.classList.toggle("auto", auto !== null && access.isAuto());
+    row.classList.toggle("auto", access.isAuto());
   };
   update();
   return { update };
 }
 
+/** Below a menu stands what there is to say about what is chosen. */
+function hintBelow(control: Control, access: Access, row: HTMLElement): () => void {
+  if (!control.options.some(({ hint }) => hint)) return () => {};
+  const line = make("p", { class: "source" });
+  row.after(line);
+  return () => {
+    const chosen = control.options.find(({ value }) => `${value}` === `${access.get()}`);
+    line.textContent = chosen?.hint ?? "";
+    line.hidden = !chosen?.hint;
+  };
+}
+
 function makeController(fold: GUI, control: Control, proxy: { value: Plain }): Controller {
   if (control.kind === "bool") return new BooleanController(fold, proxy, "value");
   if (control.kind === "color") return new ColorController(fold, proxy, "value", 1);
-  if (control.kind === "option") return fold.add(proxy, "value", control.options);
+  if (control.kind === "option") {
+    const options = control.options.map(({ title, value }) => [title, value]);
+    return fold.add(proxy, "value", Object.fromEntries(options));
+  }
   return new Slider(fold, proxy, control);
 }
 

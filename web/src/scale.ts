@@ -45,7 +45,9 @@ export function stepped(scale: Scale, value: number, steps: number): number {
 /** The number as its field shows it. */
 export function display(scale: Scale, value: number): string {
   if (scale.log) return `${shorten(value, 4)}`;
-  return `${Number(value.toFixed(Math.max(decimals(scale.step), value !== 0 && Math.abs(value) < scale.step ? 6 : 0, 3)))}`;
+  const size = Math.abs(value);
+  const fraction = size !== 0 && size < scale.step ? 6 : size < 10 ? 3 : size < 100 ? 2 : 1;
+  return `${Number(value.toFixed(Math.max(decimals(scale.step), fraction)))}`;
 }
 
 /** `cd/m^2` with its raised 2; degrees by their sign. */

@@ -1,6 +1,7 @@
 // Tabs of the panel: one page shown at a time, the last one remembered.
-import { TABS, type Tab } from "./controls";
+
 import { make } from "./dom";
+import { TABS, type Tab } from "./groups";
 import { recall, remember } from "./memory";
 
 export class Tabs {

@@ -1,8 +1,12 @@
 // The bar's buttons and the page's keys.
 import type { App } from "./app";
-import { chooseScene, copyText, showHelp, showSources } from "./dialog";
+import { copyText, showHelp, showSources } from "./dialog";
 import { byId, isTyping } from "./dom";
 import { recall, remember } from "./memory";
+import { chooseScene } from "./scene_dialog";
+import { canvasOf } from "./snapshot";
+
+const UNSHARED = "No link leads to this picture: the model is a file of your own";
 
 /** Connect buttons and keys to the page. */
 export function addTools(app: App): void {
@@ -11,9 +15,7 @@ export function addTools(app: App): void {
     found.addEventListener("click", () => click(found));
     return found;
   };
-  button("scene", () =>
-    chooseScene(app.manifest, app.store.state.scene, (name) => app.choose(name)),
-  );
+  button("scene", () => chooseScene(app));
   const undo = button("undo", () => app.store.undo());
   const redo = button("redo", () => app.store.redo());
   button("server", () => app.wipe.show(!app.wipe.shown));
@@ -30,8 +32,11 @@ export function addTools(app: App): void {
     if (copied) app.notices.say("The link to this picture is on the clipboard.", 4);
   });
   share.hidden = location.protocol === "file:"; // a link that nobody else could open
-  button("help", () => showHelp(app.store.state));
+  const shareable = share.title;
+  button("help", () => showHelp(app.store.state, app.file));
   const follow = () => {
+    share.disabled = app.file !== null;
+    share.title = app.file === null ? shareable : UNSHARED;
     undo.disabled = !app.store.canUndo;
     redo.disabled = !app.store.canRedo;
   };
@@ -54,8 +59,9 @@ function key(app: App, event: KeyboardEvent): void {
     const name = Object.keys(app.manifest.scenes)[Number(letter) - 1];
     if (name) app.choose(name);
   } else if (letter === "h") hidePanel(!document.body.classList.contains("no-panel"));
-  else if (letter === "?") showHelp(app.store.state);
-  else if (letter === "home" && !(event.target as HTMLElement).closest("aside")) app.home();
+  else if (letter === "?") showHelp(app.store.state, app.file);
+  else if (letter === "home" && !(event.target as HTMLElement).closest("aside"))
+    app.viewpoint.show("");
   else return;
   event.preventDefault();
 }
@@ -69,13 +75,11 @@ function hidePanel(hidden: boolean): void {
 async function save(app: App): Promise<void> {
   const { plan, renderer } = app.view;
   if (!plan || !renderer) return;
-  const [width, height] = plan.size as [number, number];
-  const canvas = new OffscreenCanvas(width, height);
-  const codes = new Uint8ClampedArray(renderer.readDisplay());
-  canvas.getContext("2d")!.putImageData(new ImageData(codes, width, height), 0, 0);
+  const canvas = canvasOf(renderer.readDisplay(), plan.size);
   const link = document.createElement("a");
   link.href = URL.createObjectURL(await canvas.convertToBlob({ type: "image/png" }));
-  link.download = `${app.store.state.scene.replaceAll("/", "-")}.png`;
+  const name = app.file?.replace(/\.\w+$/, "") ?? app.store.state.scene;
+  link.download = `${name.replaceAll("/", "-")}.png`;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

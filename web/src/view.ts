@@ -1,7 +1,7 @@
 // The picture on its canvas: drawn when something changed, sized to its place, back after a loss.
+import { createContext } from "./core/context";
 import { GraphicsError, LightbenchError } from "./core/errors";
-import type { MeshLoader } from "./core/mesh";
-import { createContext, Renderer } from "./core/render";
+import { type Assets, Renderer } from "./core/render";
 import { measure, type Timing } from "./core/timer";
 import type { Plan } from "./core/types";
 
@@ -38,10 +38,10 @@ export class View {
   /** Throws GraphicsError where the browser has no WebGL2 or lacks what the renderer needs. */
   constructor(
     readonly canvas: HTMLCanvasElement,
-    private readonly meshes: MeshLoader,
+    private readonly assets: Assets,
     private readonly hooks: Hooks,
   ) {
-    this.renderer = new Renderer(createContext(canvas), meshes);
+    this.renderer = new Renderer(createContext(canvas), assets);
     canvas.addEventListener("webglcontextlost", (event) => this.lose(event));
     canvas.addEventListener("webglcontextrestored", () => this.restore());
     const observer = new ResizeObserver(() => this.resize());
@@ -107,7 +107,7 @@ export class View {
   private async draw(renderer: Renderer): Promise<void> {
     let plan = this.hooks.plan(this.size);
     if (!renderer.ready(plan)) {
-      this.hooks.busy("Compiling shaders, loading shapes");
+      this.hooks.busy("Compiling shaders, loading shapes and images");
       await renderer.prepare(plan);
       if (renderer !== this.renderer) return;
       // Sliders may have moved since; a plan that needs no more waiting is drawn at once.
@@ -115,7 +115,15 @@ export class View {
       if (renderer.ready(newer)) plan = newer;
       else this.request();
     }
-    const timing = measure(renderer.gl, () => renderer.run(plan));
+    const failures: unknown[] = [];
+    const timing = measure(renderer.gl, () => {
+      try {
+        renderer.run(plan);
+      } catch (error) {
+        failures.push(error);
+      }
+    });
+    if (failures.length) throw failures[0];
     this.plan = plan;
     this.hooks.drawn(plan);
     void timing.then((found) => found && this.hooks.timed(found));
@@ -163,7 +171,7 @@ export class View {
 
   private restore(): void {
     try {
-      this.renderer = new Renderer(createContext(this.canvas), this.meshes);
+      this.renderer = new Renderer(createContext(this.canvas), this.assets);
       this.hooks.failed(null);
       this.request();
     } catch (error) {

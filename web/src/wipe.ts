@@ -1,5 +1,6 @@
 // Two pictures in one place: the browser's to the left of a handle, the server's to its right.
 import { LightbenchError } from "./core/errors";
+import type { Scene } from "./core/types";
 import { make } from "./dom";
 import { clamp, spell } from "./number";
 import { address, compare, fetchPicture, type ServerPicture } from "./server";
@@ -9,6 +10,8 @@ import { shortRenderer } from "./status";
 /** What the comparison needs of the page. */
 export interface Source {
   state(): State;
+  /** The scene to send along where the server knows none of that name. */
+  sent(): Scene | null;
   size(): readonly number[];
   codes(): Uint8Array;
   say(sentence: string): void;
@@ -95,7 +98,9 @@ export class Wipe {
     this.request = request;
     this.verdict.textContent = "Waiting for the server";
     try {
-      const picture = await fetchPicture(this.source.state(), this.source.size(), request.signal);
+      const { source } = this;
+      const wanted = [source.state(), source.sent(), source.size()] as const;
+      const picture = await fetchPicture(...wanted, request.signal);
       if (!request.signal.aborted) this.take(picture);
     } catch (error) {
       if (request.signal.aborted) return;

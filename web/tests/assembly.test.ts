@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { assemble, explain } from "../src/core/assemble";
+import { assemble } from "../src/core/assemble";
 import { LightbenchError, ShaderError } from "../src/core/errors";
 import { evaluate } from "../src/core/expression";
+import { explain } from "../src/core/shader_log";
 import { assembly, expressions, libraryOf, requestOf } from "./fixtures";
 
 const VERSION = ["#version 300 es", "precision highp float;", "precision highp int;"];

@@ -1,6 +1,5 @@
 /** A small library, scene and plan for the page's own tests. */
 
-import type { Situation } from "../src/controls";
 import type {
   Choice,
   Folder,
@@ -11,6 +10,7 @@ import type {
   SchemaNode,
 } from "../src/core/types";
 import type { Values } from "../src/fields";
+import type { Situation } from "../src/groups";
 
 function parameter(given: Partial<Parameter>): Parameter {
   const plain = { default: 1, range: [0, 10], step: 0.01, unit: "", label: "" } as const;
@@ -18,12 +18,14 @@ function parameter(given: Partial<Parameter>): Parameter {
 }
 
 function choice(title: string, given: Partial<Choice> = {}): Choice {
-  const none = { textbook_of: "", domain: {}, breaks: {}, material: [], reads: [], parameters: {} };
-  return { title, equation: "", source: "", unit: "", about: "", ...none, ...given };
+  const texts = { title, equation: "", source: "", unit: "", about: "", textbook_of: "" };
+  const none = { domain: {}, breaks: {}, material: [], surface: [], reads: [], parameters: {} };
+  return { ...texts, ...none, signed: false, ...given };
 }
 
 function folder(setting: string, signature: string, chosen: string): Folder {
-  return { setting, title: setting, function: signature, optional: [], default: chosen, about: "" };
+  const plain = { title: setting, about: "", per: "frame" } as const;
+  return { setting, function: signature, default: chosen, ...plain, optional: [] };
 }
 
 const point = (min: number, max: number, kind?: string): SchemaNode => ({
@@ -46,6 +48,9 @@ const schema: SchemaNode = {
         eye: point(-1e6, 1e6),
         target: point(-1e6, 1e6),
         fov: { ...number(1, 170), unit: "deg", slider: [10, 120] },
+        projection: { type: "string", enum: ["perspective", "orthographic"] },
+        height: { ...number(1e-6, 1e6), unit: "m", slider: [0.1, 100], scale: "log" },
+        light: orAuto({ type: "string" }),
       },
     },
     Material: {
@@ -58,12 +63,24 @@ const schema: SchemaNode = {
         kd: orAuto(color),
         ks: orAuto(point(0, 1e30, "color")),
         shininess: orAuto({ ...number(0, 1e6), slider: [1, 1e4], scale: "log" }),
+        emissive: point(0, 1e30, "color"),
+        opacity: number(0, 1),
+        alpha_mode: { type: "string", enum: ["opaque", "mask", "blend"] },
+        alpha_cutoff: number(0, 1),
+        double_sided: { type: "boolean" },
+        unlit: { type: "boolean" },
+        normal_scale: number(0, 4),
+        occlusion_strength: number(0, 1),
+        maps: { type: "object" },
+        library: orAuto({ type: "string" }),
       },
     },
     SpotLight: {
       properties: {
         color,
         intensity: number(0, 1e30),
+        casts: { type: "boolean" },
+        far: orAuto(number(1e-6, 1e6)),
         position: point(-1e6, 1e6),
         direction: point(-1, 1),
         inner: number(0, 180),
@@ -76,12 +93,24 @@ const schema: SchemaNode = {
 
 const code = { code: "", functions: {} };
 
+const plain = {
+  ...{ metalness: 1, roughness: 0.2, f0: null, ior: null, eta: null, k: null },
+  ...{ kd: null, ks: null, shininess: null },
+};
+
 export const manifest: Manifest = {
   folders: {
-    models: folder("model", "vec3 brdf(Material m, vec3 l, vec3 v)", "matt"),
+    models: {
+      ...folder("model", "vec3 brdf(Material m, vec3 l, vec3 v)", "matt"),
+      per: "material",
+    },
     tonemaps: folder("tonemap", "vec3 tonemap(vec3 radiance)", "none"),
     attenuations: folder("attenuation", "float attenuation(float distance, Light light)", "poly"),
     ambients: folder("ambient", "vec3 ambient(Material m)", "none"),
+    shadows: {
+      ...folder("shadow", "float shadow(int light, Receiver r)", "none"),
+      optional: ["bool unshadowed()"],
+    },
   },
   files: {
     "models/matt.glsl": { ...code, meta: choice("Matt", { material: ["base_color"] }) },
@@ -99,6 +128,8 @@ export const manifest: Manifest = {
       meta: choice("Polynomial", { parameters: { c0: parameter({ per: "light" }) } }),
     },
     "ambients/none.glsl": { ...code, meta: choice("None") },
+    "shadows/none.glsl": { code: "", functions: { unshadowed: 0 }, meta: choice("None") },
+    "shadows/hard.glsl": { ...code, meta: choice("Hard") },
     "passes/resolve.glsl": {
       ...code,
       meta: {
@@ -106,23 +137,32 @@ export const manifest: Manifest = {
           parameters: { samples: parameter({ kind: "int", range: [1, 8], step: 1 }) },
         }),
         draw: "screen",
+        each: "frame",
         writes: {},
         when: "samples > 1",
+        blend: "none",
+        keep: false,
       },
     },
   },
   material_fields: {},
   icosphere_errors: [],
+  materials: { gold: { ...plain, title: "Gold", source: "", base_color: [1, 0.8, 0.3] } },
   scenes: { room: { title: "Room", about: "" } },
   schema,
 };
+
+const lens = { projection: "perspective", height: 5, light: null } as const;
 
 export const scene: Scene = {
   title: "Room",
   about: "",
   units: "physical",
-  camera: { eye: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 45 },
+  camera: { eye: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 45, ...lens },
+  views: {},
   background: [0, 0, 0],
+  textures: {},
+  meshes: {},
   materials: {
     wall: {
       base_color: [0.8, 0.8, 0.8],
@@ -130,14 +170,27 @@ export const scene: Scene = {
       roughness: 0.5,
       f0: null,
       ior: null,
+      eta: null,
+      k: null,
       kd: null,
       ks: null,
       shininess: null,
+      emissive: [0, 0, 0],
+      opacity: 1,
+      alpha_mode: "opaque",
+      alpha_cutoff: 0.5,
+      double_sided: false,
+      unlit: false,
+      normal_scale: 1,
+      occlusion_strength: 1,
+      maps: {},
+      library: null,
     },
   },
   objects: {
     ball: {
       shape: "sphere",
+      mesh: null,
       material: "wall",
       position: [0, 0, 0],
       rotation: [0, 0, 0],
@@ -151,6 +204,8 @@ export const scene: Scene = {
       type: "spot",
       color: [1, 1, 1],
       intensity: 14,
+      casts: true,
+      far: null,
       position: [0, 3, 0],
       direction: [0, -1, 0],
       inner: 14,
@@ -170,9 +225,11 @@ export function situation(settings: Values, choices: Record<string, string>): Si
   const plan: Plan = {
     size: [4, 3],
     targets: {},
+    textures: {},
     programs: [],
     passes: [],
     outputs: {},
+    signed: false,
     settings: Object.keys(choices),
     files,
   };

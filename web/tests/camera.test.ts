@@ -1,10 +1,22 @@
 import { expect, test } from "vitest";
 import type { Scene, SceneObject } from "../src/core/types";
-import { between, distance, focus, orbit, type Pose, pan, ray, zoom } from "../src/orbit";
+import {
+  aimed,
+  between,
+  distance,
+  focus,
+  orbit,
+  type Pose,
+  pan,
+  ray,
+  rounded,
+  span,
+  zoom,
+} from "../src/orbit";
 import { pick } from "../src/pick";
 import { scene } from "./bench";
 
-const pose: Pose = { eye: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0] };
+const pose: Pose = { eye: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 90 };
 const close = (found: readonly number[], wanted: number[]) => {
   for (const [axis, value] of wanted.entries()) expect(found[axis]).toBeCloseTo(value, 2);
 };
@@ -22,7 +34,7 @@ test("orbiting keeps the distance and stops short of the poles", () => {
 });
 
 test("any axis may be up", () => {
-  const other: Pose = { eye: [0, 5, 0], target: [0, 0, 0], up: [0, 0, 1] };
+  const other: Pose = { ...pose, eye: [0, 5, 0], up: [0, 0, 1] };
   close(orbit(other, 0, Math.PI / 2 - 0.02).eye, [0, 0.1, 5]);
 });
 
@@ -32,22 +44,52 @@ test("zoom is towards the target and never through it", () => {
 });
 
 test("panning moves eye and target by parts of the picture's height", () => {
-  const moved = pan(pose, 90, 0.1, 0.2);
+  const moved = pan(pose, 0.1, 0.2);
   close(moved.eye, [1, 2, 5]);
   close(moved.target, [1, 2, 0]);
 });
 
 test("focus looks from the same side; a flight ends exactly", () => {
-  const there = focus(pose, [0, 0, 1], 2);
+  const there = focus(pose, [0, 0, 1], 4);
   close(there.eye, [0, 0, 3]);
   close(between(pose, there, 0.5).eye, [0, 0, 4]);
   expect(between(pose, there, 1)).toBe(there);
 });
 
 test("numbers stay short enough for a link", () => {
-  for (const value of orbit(pose, 0.1234, 0.4321).eye) {
+  for (const value of rounded(orbit(pose, 0.1234, 0.4321)).eye) {
     expect(`${value}`.length).toBeLessThanOrEqual(7);
   }
+});
+
+const flat: Pose = { ...pose, projection: "orthographic", height: 4 };
+
+test("without perspective zoom scales the height and the eye stays", () => {
+  expect(zoom(flat, 0.5)).toEqual({ ...flat, height: 2 });
+  expect(zoom(flat, 1e-9).height).toBe(1e-3);
+  expect(orbit(flat, 0.3, 0.2).height).toBe(4);
+  close(pan(flat, 0.1, 0.25).eye, [0.4, 1, 5]);
+  expect(focus(flat, [1, 0, 0], 2)).toEqual({
+    ...flat,
+    eye: [1, 0, 5],
+    target: [1, 0, 0],
+    height: 2,
+  });
+  expect(between(flat, { ...flat, height: 2 }, 0.5).height).toBe(3);
+  expect(rounded(zoom(flat, 1 / 3)).height).toBe(1.33333);
+});
+
+test("without perspective rays are parallel", () => {
+  const { from, along } = ray(flat, 2, 0.5, -1);
+  close(from, [2, -2, 5]);
+  close(along, [0, 0, -1]);
+});
+
+test("an orbit may turn about another point of the middle axis", () => {
+  const other = aimed(pose, 2);
+  close(other.target, [0, 0, 3]);
+  expect(other.eye).toEqual(pose.eye);
+  expect(span(other)).toBeCloseTo(4, 9);
 });
 
 function object(shape: SceneObject["shape"], given: Partial<SceneObject> = {}): SceneObject {
@@ -55,8 +97,8 @@ function object(shape: SceneObject["shape"], given: Partial<SceneObject> = {}): 
 }
 
 function hit(objects: Record<string, SceneObject>, x = 0, y = 0) {
-  const direction = ray(pose, 90, 1, x, y);
-  return pick({ ...scene, objects } as Scene, pose.eye, direction);
+  const { from, along } = ray(pose, 1, x, y);
+  return pick({ ...scene, objects } as Scene, from, along, () => undefined);
 }
 
 test.each([

@@ -3,6 +3,7 @@
 import { readFileSync } from "node:fs";
 import type { Request } from "../src/core/assemble";
 import type { Library } from "../src/core/library";
+import { NO_PATTERN } from "../src/core/surface";
 import type { Choice, Folder, Parameter, ShaderFile } from "../src/core/types";
 
 export interface ExpressionCase {
@@ -61,6 +62,8 @@ const MATERIAL_FIELDS = {
   metalness: "float",
   roughness: "float",
   f0: "vec3",
+  eta: "vec3",
+  k: "vec3",
   kd: "vec3",
   ks: "vec3",
   shininess: "float",
@@ -70,7 +73,7 @@ export function libraryOf(test: AssemblyCase): Library {
   const files = Object.entries(test.files).map(([path, given]) => [path, fileOf(given)]);
   const folders = Object.entries(test.folders ?? {}).map(([name, folder]) => [
     name,
-    { title: "", default: "", about: "", optional: [], ...folder },
+    { title: "", default: "", about: "", optional: [], per: "frame", ...folder },
   ]);
   return {
     files: Object.fromEntries(files),
@@ -91,7 +94,7 @@ function fileOf(given: GivenFile | Lines): ShaderFile {
     functions,
     meta: {
       ...{ title: "", equation: "", source: "", domain: {}, unit: "", about: "", breaks: {} },
-      ...{ textbook_of: "", material: [], reads: [] },
+      ...{ textbook_of: "", material: [], surface: [], reads: [], signed: false },
       ...meta,
       parameters: Object.fromEntries(parameters),
     },
@@ -100,5 +103,5 @@ function fileOf(given: GivenFile | Lines): ShaderFile {
 
 export function requestOf(test: AssemblyCase): Request {
   const given = { entry: "passes/p.glsl", stage: "FRAGMENT" as const, choices: {}, values: {} };
-  return { ...given, lists: {}, ...test.request };
+  return { ...given, lists: {}, pattern: NO_PATTERN, varyings: [], ...test.request };
 }

@@ -105,6 +105,7 @@ test("invalid pixels are counted once, by the worst of their channels", () => {
   ];
   const data = new Float32Array(pixels.flatMap((pixel) => [...pixel, 1]));
   expect(countInvalid(data)).toEqual({ nan: 1, inf: 2, negative: 1 });
+  expect(countInvalid(data, true)).toEqual({ nan: 1, inf: 2, negative: 0 });
 });
 
 test("two pictures differ by pixels and codes; alpha does not count", () => {

@@ -12,7 +12,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from lightbench.exact import directions, display, facets, light, models, terms
+from lightbench.exact import (
+    directions,
+    display,
+    facets,
+    light,
+    models,
+    outlines,
+    shadows,
+    terms,
+    views,
+)
 from lightbench.exact.directions import Array
 
 if TYPE_CHECKING:
@@ -25,15 +35,26 @@ FUNCTIONS: dict[tuple[str, str], Callable[..., Array]] = {
     ("ambients/none.glsl", "ambient"): light.no_ambient,
     ("attenuations/inverse_square.glsl", "attenuation"): light.inverse_square,
     ("attenuations/polynomial.glsl", "attenuation"): light.polynomial,
+    ("biases/constant.glsl", "compared"): shadows.constant_bias,
+    ("biases/normal_offset.glsl", "compared"): shadows.sloped,
+    ("biases/normal_offset.glsl", "shift"): shadows.normal_shift,
+    ("biases/slope.glsl", "compared"): shadows.sloped,
     ("lib/alpha.glsl", "alphaFromRoughness"): facets.alpha_from_roughness,
     ("lib/base.glsl", "blendWithBase"): models.blend_with_base,
     ("lib/base.glsl", "overBase"): models.over_base,
+    ("lib/conductor.glsl", "clearEta"): facets.clear_eta,
+    ("lib/conductor.glsl", "etaOf"): facets.eta_of,
+    ("lib/conductor.glsl", "kOf"): facets.k_of,
+    ("lib/cube.glsl", "cubeDirection"): shadows.cube_direction,
+    ("lib/cube.glsl", "cubeFace"): shadows.cube_face,
+    ("lib/disk.glsl", "diskPoint"): shadows.disk_point,
     ("lib/display.glsl", "displayRange"): display.display_range,
     ("lib/frame.glsl", "facingNormal"): directions.facing_normal,
     ("lib/frame.glsl", "halfVector"): directions.half_vector,
     ("lib/frame.glsl", "unitNormal"): directions.unit_normal,
     ("lib/fresnel.glsl", "fresnel0"): terms.fresnel0,
     ("lib/fresnel.glsl", "pow5"): terms.pow5,
+    ("lib/heat.glsl", "heat"): views.heat,
     ("lib/invalid.glsl", "flagInvalid"): display.flag_invalid,
     ("lib/invalid.glsl", "invalid"): display.invalid,
     ("lib/lambda_ggx.glsl", "lambdaGgx"): facets.lambda_ggx,
@@ -41,11 +62,15 @@ FUNCTIONS: dict[tuple[str, str], Callable[..., Array]] = {
     ("lib/log1p.glsl", "log1p"): np.log1p,
     ("lib/luminance.glsl", "luminance"): display.luminance,
     ("lib/erf.glsl", "erfc"): terms.erfc,
+    ("lib/slope.glsl", "slopeBias"): shadows.slope_bias,
     ("lib/smith.glsl", "smithCorrelated"): terms.smith_correlated,
     ("lib/smith.glsl", "smithSeparable"): terms.smith_separable,
+    ("lib/sobel.glsl", "sobel"): outlines.sobel,
     ("lib/specular_power.glsl", "specularPower"): terms.specular_power,
     ("lib/sphere.glsl", "sphereHit"): light.sphere_hit,
     ("lib/spot.glsl", "spot"): light.spot,
+    ("lib/tangent.glsl", "mappedNormal"): directions.mapped_normal,
+    ("lib/tangent.glsl", "unpackNormal"): directions.unpacked_normal,
     ("lib/tone.glsl", "hasTone"): display.has_tone,
     ("models/blinn_phong.glsl", "brdf"): models.over_cosine(models.blinn_phong_cos),
     ("models/blinn_phong.glsl", "brdfCos"): models.blinn_phong_cos,
@@ -54,7 +79,12 @@ FUNCTIONS: dict[tuple[str, str], Callable[..., Array]] = {
     ("models/lambert.glsl", "brdf"): models.lambert,
     ("models/phong.glsl", "brdf"): models.over_cosine(models.phong_cos),
     ("models/phong.glsl", "brdfCos"): models.phong_cos,
-    ("shadows/none.glsl", "shadow"): light.unshadowed,
+    ("models/toon.glsl", "brdf"): models.over_cosine(models.toon_cos),
+    ("models/toon.glsl", "brdfCos"): models.toon_cos,
+    ("models/toon.glsl", "toneLevel"): models.tone_level,
+    ("models/toon.glsl", "toned"): models.toned,
+    ("outlines/none.glsl", "outline"): outlines.unlined,
+    ("shadows/none.glsl", "shadow"): shadows.unshadowed,
     ("views/final.glsl", "view"): display.final_view,
     ("views/invalid.glsl", "view"): display.invalid_view,
 }
@@ -67,6 +97,10 @@ for _name, _fresnel in facets.FRESNELS.items():
     FUNCTIONS[f"fresnels/{_name}.glsl", "fresnel"] = _fresnel
 for _name, _tonemap in display.TONEMAPS.items():
     FUNCTIONS[f"tonemaps/{_name}.glsl", "tonemap"] = _tonemap
+for _name, _view in views.VIEWS.items():
+    FUNCTIONS[f"views/{_name}.glsl", "view"] = _view
+for (_name, _hook), _shown in views.HOOKS.items():
+    FUNCTIONS[f"views/{_name}.glsl", _hook] = _shown
 for _name, _transfer in display.TRANSFERS.items():
     FUNCTIONS[f"transfers/{_name}.glsl", "transfer"] = _transfer
 for _file, _name, _lambda in (

@@ -51,3 +51,16 @@ def facing_normal(n: Array, v: Array) -> Array:
     """The reflection of n across the plane normal to v where n faces away from v."""
     away = dot(n, v) < 0.0
     return np.where(column(away), n - 2.0 * column(dot(n, v)) * v, n)
+
+
+def unpacked_normal(rgb: Array, scale: Array) -> Array:
+    """A normal map's vector, 128 / 255 being 0, x and y scaled: glTF 2.0, 3.9.3."""
+    s = (rgb * 255.0 - 128.0) / 127.0
+    return np.concatenate([column(scale) * s[..., :2], s[..., 2:]], axis=-1)
+
+
+def mapped_normal(n: Array, tangent: Array, rgb: Array, scale: Array) -> Array:
+    """x t + y w (n x t) + z n, nothing made unit: MikkTSpace."""
+    s = unpacked_normal(rgb, scale)
+    t, b = tangent[..., :3], tangent[..., 3:] * np.cross(n, tangent[..., :3])
+    return np.asarray(s[..., :1] * t + s[..., 1:2] * b + s[..., 2:] * n)

@@ -205,9 +205,46 @@ def dielectric(m: Material, VoH: Array) -> Array:
     return np.where(s > 0.0, (across**2 + along**2) / 2.0, 0.0)
 
 
+def conductor(m: Material, VoH: Array) -> Array:
+    """The mean of both polarisations, for the complex index eta + i k: Born & Wolf, sec. 14.2.
+
+    1 on the horizon, unless nothing is there to reflect, eta = 1 and k = 0.
+    """
+    index, c = m["eta"] + 1j * m["k"], column(VoH)
+    t = np.sqrt(index**2 - (1.0 - c) * (1.0 + c))
+    flat = c == 0.0
+    across = np.where(flat, -1.0, (c - t) / np.where(flat, 1.0, c + t))
+    along = np.where(flat, -1.0, (index**2 * c - t) / np.where(flat, 1.0, index**2 * c + t))
+    return np.where(index == 1.0, 0.0, (np.abs(across) ** 2 + np.abs(along) ** 2) / 2.0)
+
+
+F0_MAX = 0.999  # lib/conductor.glsl: a perfect mirror has no index
+
+
+def clear_eta(f0: Array) -> Array:
+    """The index of the clear medium that reflects f0 at normal incidence."""
+    return (1.0 + np.sqrt(f0)) / (1.0 - np.sqrt(f0))
+
+
+def eta_of(f0: Array, metalness: Array) -> Array:
+    """Gulbrandsen 2014, eq. 11, with the metalness for the edge tint."""
+    r, g = np.minimum(f0, F0_MAX), column(metalness)
+    return g * (1.0 - r) / (1.0 + r) + (1.0 - g) * clear_eta(r)
+
+
+def k_of(f0: Array, metalness: Array) -> Array:
+    """Gulbrandsen 2014, eq. 13."""
+    r, n = np.minimum(f0, F0_MAX), eta_of(f0, metalness)
+    k2 = (r * (n + 1.0) ** 2 - (n - 1.0) ** 2) / (1.0 - r)
+    # A clear medium's is 0, of which the difference leaves its rounding.
+    return np.where(column(metalness) > 0.0, np.sqrt(np.maximum(k2, 0.0)), 0.0)
+
+
 def mirror(m: Material, VoH: Array) -> Array:
     """1."""
     return np.ones((*VoH.shape, 3))
 
 
-FRESNELS = {"schlick": schlick, "dielectric": dielectric, "none": mirror}
+FRESNELS = {
+    "schlick": schlick, "dielectric": dielectric, "conductor": conductor, "none": mirror,
+}  # fmt: skip

@@ -37,11 +37,6 @@ def sphere_hit(origin: Array, direction: Array, centre: Array, radius: Array) ->
     return np.where((discriminant >= 0.0) & (first >= 0.0), first, -1.0)
 
 
-def unshadowed(position: Array) -> Array:
-    """1."""
-    return np.ones(position.shape[:-1])
-
-
 def constant_ambient(
     m: Material,
     ambient_color: tuple[float, float, float] = (1.0, 1.0, 1.0),

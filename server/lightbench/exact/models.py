@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -48,14 +49,48 @@ def blinn_phong_cos(m: Material, l: Array, v: Array) -> Array:
     return above(l, v) * (m["kd"] * column(unit(l)[..., 2]) + m["ks"] * column(lobe))
 
 
-Model = Callable[[Material, Array, Array], Array]
+Color = tuple[float, float, float]
+
+
+def tone_level(cosine: Array, tones: float = 2) -> Array:
+    """min(floor(cos n), n - 1): of n tones, that of one light."""
+    return np.asarray(np.clip(np.floor(cosine * tones), 0.0, tones - 1.0))
+
+
+def toned(
+    m: Material,
+    mean: Array,
+    tones: float = 2,
+    toon_dark: Color = (0.2, 0.25, 0.4),
+    toon_lit: Color = (1.0, 1.0, 1.0),
+) -> Array:
+    """The colour of the mean tone rounded, halves down."""
+    level = column(np.ceil(mean - 0.5)) / (tones - 1.0)
+    dark, lit = (np.array(color, np.float64) for color in (toon_dark, toon_lit))
+    return np.asarray(m["base_color"] * ((1.0 - level) * dark + level * lit))
+
+
+def toon_cos(
+    m: Material,
+    l: Array,
+    v: Array,
+    tones: float = 2,
+    toon_dark: Color = (0.2, 0.25, 0.4),
+    toon_lit: Color = (1.0, 1.0, 1.0),
+) -> Array:
+    """The colour of one light's tone, over pi: a tone is found from the cosine as it is given."""
+    color = toned(m, tone_level(l[..., 2], tones), tones, toon_dark, toon_lit)
+    return above(l, v) * color / math.pi
+
+
+Model = Callable[..., Array]
 
 
 def over_cosine(model_cos: Model) -> Model:
     """brdf from brdf times cosine; nearer to the horizon than GRAZING_COS divided by that."""
 
-    def brdf(m: Material, l: Array, v: Array) -> Array:
-        return model_cos(m, l, v) / column(np.maximum(unit(l)[..., 2], GRAZING_COS))
+    def brdf(m: Material, l: Array, v: Array, **settings: Any) -> Array:
+        return model_cos(m, l, v, **settings) / column(np.maximum(unit(l)[..., 2], GRAZING_COS))
 
     return brdf
 

@@ -7,7 +7,9 @@
 
 import { LightbenchError, ShaderError } from "./errors";
 import { evaluate } from "./expression";
-import { folderOf, GLSL_TYPES, type Library } from "./library";
+import { folderOf, GLSL_TYPES, type Library, perLight } from "./library";
+import { live, type Output, type Stage } from "./prune";
+import { type Pattern, patternLists, type Seen } from "./surface";
 
 export type Record_ = Readonly<Record<string, string>>;
 export type Lists = Readonly<Record<string, readonly Record_[]>>;
@@ -15,15 +17,18 @@ export type Lists = Readonly<Record<string, readonly Record_[]>>;
 /**
  * What to assemble: one stage of one file, under fully resolved settings.
  *
- * `values` holds the int and bool parameters and the counts (each a define), `lists` the records
- * that `#for` repeats over.
+ * `values` holds the int and bool parameters and other defines, `lists` the records that `#for`
+ * repeats over, `pattern` how a surface varies. `varyings` are those that the fragment stage takes
+ * in: the vertex stage's others go.
  */
 export interface Request {
   readonly entry: string;
-  readonly stage: "VERTEX" | "FRAGMENT";
+  readonly stage: Stage;
   readonly choices: Readonly<Record<string, string>>;
   readonly values: Readonly<Record<string, number>>;
   readonly lists: Lists;
+  readonly pattern: Pattern;
+  readonly varyings: readonly string[];
 }
 
 /** One specialised source. `lines[i]` says where the text's line i comes from, `file:line`. */
@@ -34,6 +39,7 @@ export interface Source {
   readonly settings: readonly string[];
   readonly uniforms: Readonly<Record<string, string>>;
   readonly attributes: Readonly<Record<string, string>>;
+  readonly varyings: readonly string[];
 }
 
 type Line = readonly [number: number, text: string];
@@ -42,8 +48,10 @@ const DIRECTIVE = /^\s*#\s*(\w*)\s*(.*?)\s*$/;
 const INCLUDE = /^(?:"([^"]+)"|<(\w+)>)$/;
 const NAME = /[A-Za-z_]\w*/g;
 const UNIFORM = /^\s*uniform\s+(?:(?:high|medium|low)p\s+)?(\w+)\s+(u_\w+)\s*;/gm;
+const TAKEN = /^\s*in\s+(\w+)\s+(v_\w+)\s*;/gm;
+/** Fields that only the base under the facets has. */
+const BASE_FIELDS = ["base_color", "kd"];
 const ATTRIBUTE = /^\s*in\s+(\w+)\s+(a_\w+)\s*;/gm;
-const ERROR = /(?:ERROR:\s*)?\b0[:(](\d+)\)?(?:\(\d+\))?\s*:\s*(.*)/;
 
 /**
  * The specialised source of one stage.
@@ -52,21 +60,23 @@ const ERROR = /(?:ERROR:\s*)?\b0[:(](\d+)\)?(?:\(\d+\))?\s*:\s*(.*)/;
  * `#if` or an unbalanced directive.
  */
 export function assemble(library: Library, request: Request): Source {
-  const first = new Expansion(library, request, { MATERIAL_FIELDS: [], LIGHT_FIELDS: [] });
-  const expansion = new Expansion(library, request, fieldLists(library, first.files));
-  const body = expansion.output.map(([text]) => text).join("\n");
+  const first = new Expansion(library, request, fieldLists(library, request, []));
+  const expansion = new Expansion(library, request, fieldLists(library, request, first.files));
+  const output = live(expansion.output, request.stage, request.varyings);
+  const body = output.map(([text]) => text).join("\n");
   const head = prologue(library, expansion, new Set(body.match(NAME)));
   const text = [...head, body, ""].join("\n");
   return {
     text,
     lines: [
       ...head.map((_, index) => `prologue:${index + 1}`),
-      ...expansion.output.map(([, file, line]) => `${file}:${line}`),
+      ...output.map(([, file, line]) => `${file}:${line}`),
     ],
     files: expansion.files,
     settings: expansion.settings,
     uniforms: declarations(text, UNIFORM),
     attributes: declarations(text, ATTRIBUTE),
+    varyings: Object.keys(declarations(text, TAKEN)).sort(),
   };
 }
 
@@ -74,40 +84,49 @@ function declarations(text: string, pattern: RegExp): Record<string, string> {
   return Object.fromEntries(Array.from(text.matchAll(pattern), ([, kind, name]) => [name!, kind!]));
 }
 
-function fieldLists(library: Library, files: readonly string[]): Lists {
+/** The lists and defines that follow from what the files say that they read. */
+function fieldLists(library: Library, request: Request, files: readonly string[]): Seen {
   const metas = files.map((path) => library.files[path]!.meta);
   const read = new Set(metas.flatMap((meta) => meta.material));
+  const parts = new Set<string>(metas.flatMap((meta) => meta.surface));
   const light = metas.flatMap((meta) =>
     Object.keys(meta.parameters).filter((name) => meta.parameters[name]!.per === "light"),
   );
   const material = Object.entries(library.material_fields).filter(([name]) => read.has(name));
-  return {
-    MATERIAL_FIELDS: material.map(([name, type]) => ({ type, name })),
+  const base = (name: string) => `${Number(BASE_FIELDS.includes(name))}`;
+  const { lists, defines } = patternLists(library, request.pattern, read, parts);
+  const fields = {
+    MATERIAL_FIELDS: material.map(([name, type]) => ({ type, name, base: base(name) })),
     LIGHT_FIELDS: [...new Set(light)].sort().map((name) => ({ type: "float", name })),
   };
+  return { lists: { ...lists, ...fields }, defines };
 }
 
 /** Version, precision, and the declarations that the code asks for, in a fixed order. */
 function prologue(library: Library, expansion: Expansion, used: ReadonlySet<string>): string[] {
   const uniforms = new Map<string, string>();
   const samplers = new Set<string>();
+  const casters = (expansion.lists.CASTERS ?? []).map(({ index }) => index);
   for (const path of expansion.files) {
     const meta = library.files[path]!.meta;
-    for (const name of meta.reads) samplers.add(`u_${name}`);
+    for (const name of meta.reads) {
+      const several = perLight(library, name) ? casters : [""];
+      for (const index of several) samplers.add(`u_${name}${index}`);
+    }
     for (const [name, parameter] of Object.entries(meta.parameters)) {
       const type = GLSL_TYPES[parameter.kind];
       if (type && parameter.per === "frame") uniforms.set(`u_${name}`, type);
     }
   }
-  const live = (names: Iterable<string>) => [...names].filter((name) => used.has(name)).sort();
+  const inUse = (names: Iterable<string>) => [...names].filter((name) => used.has(name)).sort();
   const { defines } = expansion;
   return [
     "#version 300 es",
     "precision highp float;",
     "precision highp int;",
-    ...live(Object.keys(defines)).map((name) => `#define ${name} ${defines[name]!.toFixed(0)}`),
-    ...live(uniforms.keys()).map((name) => `uniform ${uniforms.get(name)} ${name};`),
-    ...live(samplers).map((name) => `uniform highp sampler2D ${name};`),
+    ...inUse(Object.keys(defines)).map((name) => `#define ${name} ${defines[name]!.toFixed(0)}`),
+    ...inUse(uniforms.keys()).map((name) => `uniform ${uniforms.get(name)} ${name};`),
+    ...inUse(samplers).map((name) => `uniform highp sampler2D ${name};`),
   ];
 }
 
@@ -117,17 +136,17 @@ class Expansion {
   readonly defines: Readonly<Record<string, number>>;
   readonly files: string[] = [];
   readonly settings: string[] = [];
-  readonly output: [text: string, file: string, line: number][] = [];
+  readonly output: Output[] = [];
   private readonly choices: Readonly<Record<string, string>>;
 
   constructor(
     private readonly library: Library,
     request: Request,
-    fields: Lists,
+    { lists, defines }: Seen,
   ) {
     this.choices = request.choices;
-    this.lists = { ...request.lists, ...fields };
-    this.defines = makeDefines(library, request, this.lists);
+    this.lists = { ...request.lists, ...lists };
+    this.defines = { ...makeDefines(library, request, this.lists), ...defines };
     this.include(request.entry, [], request.entry, 0);
   }
 
@@ -271,20 +290,4 @@ function makeDefines(library: Library, request: Request, lists: Lists): Record<s
     }
   }
   return defines;
-}
-
-/**
- * A GL compile log with every position turned into `file:line` and its excerpt.
- *
- * `lines[i]` says where line i of the specialised `text` comes from, as `file:line`.
- */
-export function explain(log: string, text: string, lines: readonly string[]): string {
-  const code = text.split("\n");
-  const found = log.split(/\r\n|\r|\n/).flatMap((raw) => {
-    const match = ERROR.exec(raw);
-    const at = Number(match?.[1] ?? 0) - 1;
-    if (!match || at < 0 || at >= lines.length) return [];
-    return [`${lines[at]}: ${match[2]!.trim()}\n    ${code[at]!.trim()}`];
-  });
-  return found.join("\n") || log.trim();
 }

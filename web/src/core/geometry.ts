@@ -8,8 +8,10 @@ import type { CompiledProgram } from "./program";
 const ATTRIBUTES = [
   ["a_position", "positions", 3],
   ["a_normal", "normals", 3],
-  ["a_uv", "uvs", 2],
+  ["a_uv0", "uvs", 2],
   ["a_tangent", "tangents", 4],
+  ["a_color", "colors", 4],
+  ["a_uv1", "uvs1", 2],
 ] as const;
 
 interface VertexArray {
@@ -73,7 +75,9 @@ export class Geometry {
     for (const [attribute, field, components] of ATTRIBUTES) {
       const location = program.attributes.get(attribute);
       if (location === undefined) continue;
-      this.bind(gl.ARRAY_BUFFER, `${key} ${field}`, mesh[field]);
+      const data = mesh[field];
+      if (!data) throw new GraphicsError(`the mesh ${key} has no ${field} for ${attribute}`);
+      this.bind(gl.ARRAY_BUFFER, `${key} ${field}`, data);
       gl.enableVertexAttribArray(location);
       gl.vertexAttribPointer(location, components, gl.FLOAT, false, 0, 0);
     }

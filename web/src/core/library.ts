@@ -3,7 +3,7 @@
 import type { Choice, Manifest, Parameter, Pass, ShaderFile } from "./types";
 
 /** What planning reads of the manifest. */
-export type Library = Omit<Manifest, "scenes" | "schema">;
+export type Library = Omit<Manifest, "scenes" | "materials" | "schema">;
 
 export type NamedParameter = readonly [name: string, parameter: Parameter];
 
@@ -12,6 +12,10 @@ interface Index {
   readonly choices: ReadonlyMap<string, readonly string[]>;
   readonly passes: ReadonlyMap<string, Pass>;
   readonly parameters: readonly NamedParameter[];
+  /** What passes write once for each light. */
+  readonly perLight: ReadonlySet<string>;
+  /** The settings that a material may make its own choice of, with their folders. */
+  readonly ofMaterials: ReadonlyMap<string, string>;
 }
 
 export const GLSL_TYPES: Readonly<Record<string, string>> = { float: "float", color: "vec3" };
@@ -38,6 +42,16 @@ export function parameters(library: Library): readonly NamedParameter[] {
   return indexOf(library).parameters;
 }
 
+/** Whether there is one such texture for each light that casts shadows. */
+export function perLight(library: Library, resource: string): boolean {
+  return indexOf(library).perLight.has(resource);
+}
+
+/** The folder of each setting that a material may make its own choice of. */
+export function ofMaterials(library: Library): ReadonlyMap<string, string> {
+  return indexOf(library).ofMaterials;
+}
+
 function indexOf(library: Library): Index {
   let found = indices.get(library);
   if (!found) {
@@ -62,6 +76,14 @@ function makeIndex(library: Library): Index {
     choices: new Map(names),
     passes: new Map(found),
     parameters: files.flatMap((file) => Object.entries(file.meta.parameters)),
+    perLight: new Set(
+      found.flatMap(([, meta]) => (meta.each === "light" ? Object.keys(meta.writes) : [])),
+    ),
+    ofMaterials: new Map(
+      Object.entries(library.folders).flatMap(([name, { setting, per }]) =>
+        per === "material" ? [[setting, name] as const] : [],
+      ),
+    ),
   };
 }
 

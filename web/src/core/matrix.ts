@@ -1,10 +1,11 @@
 /** 4x4 matrices as flat column-major arrays of float64. Twin of matrix.py. */
 
-import { glMatrix, mat4, type ReadonlyVec3, vec3 } from "gl-matrix";
+import { glMatrix, mat4, vec3 } from "gl-matrix";
 
 glMatrix.setMatrixArrayType(Array);
 
 export type Vector = readonly number[];
+export type Triple = readonly [number, number, number];
 
 // Sines are rounded to steps of 1/GRID: right angles are exact, and terms that cancel leave no
 // noise, in which maths libraries differ.
@@ -16,29 +17,31 @@ export function multiply(a: Vector, b: Vector): Vector {
 }
 
 /** The unit vector along v. */
-export function normalize(v: Vector): Vector {
-  return Array.from(vec3.normalize(vec3.create(), triple(v)));
+export function normalize(v: Triple): Triple {
+  return made(vec3.normalize(vec3.create(), v));
 }
 
 /** a - b. */
-export function subtract(a: Vector, b: Vector): Vector {
-  return Array.from(vec3.subtract(vec3.create(), triple(a), triple(b)));
+export function subtract(a: Triple, b: Triple): Triple {
+  return made(vec3.subtract(vec3.create(), a, b));
 }
 
-function cross(a: Vector, b: Vector): Vector {
-  return Array.from(vec3.cross(vec3.create(), triple(a), triple(b)));
+/** The vector product. */
+export function cross(a: Triple, b: Triple): Triple {
+  return made(vec3.cross(vec3.create(), a, b));
 }
 
 /** The scalar product. */
-export function dot(a: Vector, b: Vector): number {
-  return vec3.dot(triple(a), triple(b));
+export function dot(a: Triple, b: Triple): number {
+  return vec3.dot(a, b);
 }
 
-function triple(v: Vector): ReadonlyVec3 {
-  return v as unknown as ReadonlyVec3;
+function made(v: vec3): Triple {
+  return v as unknown as Triple; // an array, by setMatrixArrayType
 }
 
-function cosSin(degrees: number): readonly [number, number] {
+/** Cosine and sine of an angle in degrees. */
+export function cosSin(degrees: number): readonly [number, number] {
   const angle = (degrees * Math.PI) / 180;
   return [onGrid(Math.cos(angle)), onGrid(Math.sin(angle))];
 }
@@ -76,20 +79,50 @@ export function normalMatrix(degrees: Vector, scale: Vector): Vector {
  *
  * Not mat4.lookAt, which takes a target nearer than 1e-6 m for none.
  */
-export function lookAt(look: Vector, up: Vector): Vector {
-  const z = normalize(look.map((c) => -c));
+export function lookAt(look: Triple, up: Triple): Vector {
+  const z = normalize([-look[0], -look[1], -look[2]]);
   const x = normalize(cross(up, z));
   const y = cross(z, x);
   return [
-    ...[x[0]!, y[0]!, z[0]!, 0],
-    ...[x[1]!, y[1]!, z[1]!, 0],
-    ...[x[2]!, y[2]!, z[2]!, 0],
+    ...[x[0], y[0], z[0], 0],
+    ...[x[1], y[1], z[1], 0],
+    ...[x[2], y[2], z[2], 0],
     ...[0, 0, 0, 1],
   ];
 }
 
+/** OpenGL projection of a square view; `tangent` is that of half its angle. */
+export function squarePerspective(tangent: number, near: number, far: number): Vector {
+  const inverse = 1 / (near - far);
+  const [depth, shift] = [(far + near) * inverse, 2 * far * near * inverse];
+  const f = 1 / tangent;
+  return [...[f, 0, 0, 0], ...[0, f, 0, 0], ...[0, 0, depth, -1], ...[0, 0, shift, 0]];
+}
+
 /** OpenGL projection; `fov` is vertical, in degrees. */
 export function perspective(fov: number, aspect: number, near: number, far: number): Vector {
-  const angle = (fov * Math.PI) / 180;
-  return Array.from(mat4.perspective(mat4.create(), angle, aspect, near, far));
+  const flat = squarePerspective(Math.tan((fov * Math.PI) / 180 / 2), near, far);
+  return [flat[0]! / aspect, ...flat.slice(1)];
+}
+
+/** OpenGL projection of a view `height` high, without perspective. */
+export function orthographic(height: number, aspect: number, near: number, far: number): Vector {
+  const inverse = 1 / (near - far);
+  const [depth, shift] = [2 * inverse, (far + near) * inverse];
+  const [wide, high] = [2 / (height * aspect), 2 / height];
+  return [...[wide, 0, 0, 0], ...[0, high, 0, 0], ...[0, 0, depth, 0], ...[0, 0, shift, 1]];
+}
+
+/** The point moved by an affine matrix. */
+export function transform(m: Vector, [x, y, z]: Triple): Triple {
+  return [
+    m[0]! * x + m[4]! * y + m[8]! * z + m[12]!,
+    m[1]! * x + m[5]! * y + m[9]! * z + m[13]!,
+    m[2]! * x + m[6]! * y + m[10]! * z + m[14]!,
+  ];
+}
+
+/** The matrix that moves by an offset. */
+export function translation(offset: Triple): Vector {
+  return [...[1, 0, 0, 0], ...[0, 1, 0, 0], ...[0, 0, 1, 0], ...offset, 1];
 }

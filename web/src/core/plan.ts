@@ -4,95 +4,60 @@
  * Twin of plan.py: same scene and settings, same plan.
  */
 
-import { assemble, type Lists, type Request, type Source } from "./assemble";
+import { Batches } from "./batches";
 import { LightbenchError, ShaderError } from "./errors";
 import { evaluate, type Value } from "./expression";
-import { type Library, parameters, passes } from "./library";
+import { type Library, passes, perLight } from "./library";
 import { type Resolved, resolve, type Settings } from "./settings";
-import type { Batch, Draw, Manifest, Pass, Plan, Program, Scene, Target } from "./types";
-import { DRAW_NAMES, drawValues, float32, frameValues, frontToBack, meshKey } from "./values";
+import type { Manifest, Pass, Plan, PlannedPass, Scene, Target } from "./types";
+import { float32 } from "./values";
+import { type LightMap, lightMap } from "./viewpoint";
 
 export type Size = readonly [width: number, height: number];
+type Named = readonly [name: string, meta: Pass];
 
 const MAX_SIDE = 16384;
-/** What a plan is made for: the linear picture and its display code. */
-const OUTPUTS = ["linear", "display"] as const;
-const STAGES = ["VERTEX", "FRAGMENT"] as const;
-const MAX_SOURCES = 512;
+/** Texture units that WebGL2 promises to a fragment shader. */
+const MAX_UNITS = 16;
 
 /**
  * The plan of a picture of `size` (width, height) pixels.
  *
- * Throws SettingError, SceneError or ShaderError with what is wrong and what is allowed.
+ * `attachment` is what to hand out as the linear picture: any texture that a pass writes. Throws
+ * SettingError, SceneError or ShaderError with what is wrong and what is allowed.
  */
-export function plan(manifest: Manifest, scene: Scene, settings: Settings, size: Size): Plan {
+export function plan(
+  manifest: Manifest,
+  scene: Scene,
+  settings: Settings,
+  size: Size,
+  attachment = "linear",
+): Plan {
   const fits = size.every((side) => Number.isInteger(side) && side >= 1 && side <= MAX_SIDE);
   if (!fits) {
     const [width, height] = size;
     throw new LightbenchError(`size ${width}x${height}: each side is 1 to ${MAX_SIDE} pixels`);
   }
-  return new Planner(manifest, resolve(manifest, scene, settings), size).plan();
-}
-
-const sources = new WeakMap<Library, Map<string, Source>>();
-
-/** `assemble`, made once for each request to a library. */
-function assembled(library: Library, request: Request): Source {
-  let known = sources.get(library);
-  if (!known) {
-    known = new Map();
-    sources.set(library, known);
-  }
-  const key = JSON.stringify(request);
-  let source = known.get(key);
-  if (!source) {
-    source = assemble(library, request);
-    if (known.size >= MAX_SOURCES) known.clear();
-    known.set(key, source);
-  }
-  return source;
-}
-
-/** The lists of `#for`: which light, of which kind; the kinds are 0 or 1 for `#if`. */
-function lightLists(scene: Scene): Lists {
-  const every = Object.values(scene.lights).map((light, index) => ({
-    index: `${index}`,
-    point: `${Number(light.type === "point")}`,
-    directional: `${Number(light.type === "directional")}`,
-    spot: `${Number(light.type === "spot")}`,
-    positional: `${Number(light.type !== "directional")}`,
-  }));
-  return {
-    LIGHTS: every,
-    POSITIONAL_LIGHTS: every.filter((record) => record.positional === "1"),
-    SPOT_LIGHTS: every.filter((record) => record.spot === "1"),
-  };
-}
-
-/** The parameters that become defines: whole numbers and truths. */
-function defineValues(library: Library, resolved: Resolved): Record<string, number> {
-  const found: Record<string, number> = {};
-  for (const [name, { kind }] of parameters(library)) {
-    const value = resolved.values[name];
-    if ((kind === "int" || kind === "bool") && value !== undefined) found[name] = Number(value);
-  }
-  return found;
+  return new Planner(manifest, resolve(manifest, scene, settings), size).plan(attachment);
 }
 
 /** Walks back from the outputs: a pass runs because something reads what it writes. */
 class Planner {
   private readonly scene: Scene;
-  private readonly names: Record<string, Value>;
-  private readonly defines: Readonly<Record<string, number>>;
-  private readonly lists: Lists;
+  private readonly names: Readonly<Record<string, Value>>;
   private readonly metas: ReadonlyMap<string, Pass>;
+  private readonly maps = new Map<number, LightMap>();
   private readonly textureOf = new Map<string, string>();
+  /** The textures there are of what each light has its own of, as in `shadow_map.1`. */
+  private readonly lightMaps = new Set<string>();
   private readonly underWay: string[] = [];
+  private readonly inspects: boolean;
   private readonly result: Plan;
+  private readonly batches: Batches;
 
   constructor(
     private readonly library: Library,
-    private readonly resolved: Resolved,
+    resolved: Resolved,
     private readonly size: Size,
   ) {
     this.scene = resolved.scene;
@@ -100,27 +65,42 @@ class Planner {
       (entry): entry is [string, number] => typeof entry[1] === "number",
     );
     this.names = { ...Object.fromEntries(numbers), ...resolved.choices };
-    this.defines = defineValues(library, resolved);
-    this.lists = lightLists(this.scene);
     this.metas = passes(library);
+    const view = library.files[`views/${resolved.choices.view}.glsl`]!;
+    this.inspects = Object.keys(view.functions).length > 1;
     this.result = {
-      size: [...size],
-      targets: {},
-      programs: [],
-      passes: [],
-      outputs: {},
-      settings: [],
-      files: [],
+      ...{ size: [...size], targets: {}, textures: {}, programs: [], passes: [] },
+      ...{ outputs: {}, signed: view.meta.signed, settings: [], files: [] },
     };
+    this.batches = new Batches(library, resolved, this.result);
   }
 
-  plan(): Plan {
-    for (const output of OUTPUTS) this.result.outputs[output] = this.produce(output);
+  plan(attachment: string): Plan {
+    this.result.outputs.linear = this.only(attachment);
+    this.result.outputs.display = this.only("display");
     return this.result;
   }
 
+  /** The one texture of a resource, or that of one of its lights as in `shadow_map.1`. */
+  private only(resource: string): string {
+    const [name = "", light = ""] = resource.split(/\.(.*)/s);
+    const known = new Set([...this.metas.values()].flatMap((meta) => Object.keys(meta.writes)));
+    if (!known.has(name)) {
+      const listed = [...known].sort().join(", ");
+      throw new LightbenchError(`no attachment '${name}'; there is: ${listed}`);
+    }
+    const several = perLight(this.library, name);
+    if (!several && !light) return this.produce(name);
+    const casting = Object.values(this.scene.lights).flatMap(({ casts }, index) =>
+      casts ? [`${index}`] : [],
+    );
+    if (several && casting.includes(light)) return this.map(name, light);
+    const there = several ? casting.map((key) => `${name}.${key}`) : [name];
+    throw new LightbenchError(`no attachment '${resource}'; there is: ${there.join(", ")}`);
+  }
+
   private runs(meta: Pass): boolean {
-    return Boolean(evaluate(meta.when, this.names));
+    return !meta.when || Boolean(evaluate(meta.when, this.names));
   }
 
   /** The texture that holds `resource` once its writer and all that refine it have run. */
@@ -133,11 +113,9 @@ class Planner {
     }
     this.underWay.push(resource);
     const writers = [...this.metas].filter(([, meta]) => Object.hasOwn(meta.writes, resource));
-    const refines = ([, meta]: [string, Pass]) => meta.reads.includes(resource);
-    let texture = this.create(
-      resource,
-      writers.filter((writer) => !refines(writer)),
-    );
+    const refines = ([, meta]: Named) => meta.reads.includes(resource);
+    const creators = writers.filter((writer) => !refines(writer));
+    let texture = this.create(resource, creators);
     for (const [name, meta] of writers.filter(refines)) {
       if (!this.runs(meta)) continue;
       const target = `${resource}~${name}`;
@@ -149,9 +127,15 @@ class Planner {
     return texture;
   }
 
-  /** Run the pass that makes `resource`; one left out hands on its first read instead. */
-  private create(resource: string, creators: readonly [string, Pass][]): string {
-    const active = creators.filter(([, meta]) => this.runs(meta));
+  /**
+   * Run the pass that makes `resource`; one left out hands on its first read instead.
+   *
+   * A pass that runs by its own condition stands above those that have none.
+   */
+  private create(resource: string, creators: readonly Named[]): string {
+    let active = creators.filter(([, meta]) => this.runs(meta));
+    const conditional = active.filter(([, meta]) => meta.when);
+    if (active.length > 1 && conditional.length) active = conditional;
     if (active.length > 1) {
       const both = active.map(([name]) => name).join(" and ");
       throw new ShaderError(`passes: '${resource}' is written by ${both}`);
@@ -176,91 +160,66 @@ class Planner {
     spec: Target,
     own: Readonly<Record<string, string>>,
   ): void {
-    const stages = STAGES.map((stage) => this.assemble(name, stage));
-    const files = new Set(stages.flatMap((source) => source.files));
-    const uniforms = new Set(stages.flatMap((source) => Object.keys(source.uniforms)));
-    const reads = new Set([...files].flatMap((path) => this.library.files[path]!.meta.reads));
     const samplers: Record<string, string> = {};
-    for (const read of reads) {
-      if (uniforms.has(`u_${read}`)) samplers[`u_${read}`] = own[read] ?? this.produce(read);
+    for (const [read, lights] of this.batches.reads(name, meta)) {
+      if (perLight(this.library, read)) {
+        for (const light of lights) samplers[`u_${read}${light}`] = this.map(read, light);
+      } else samplers[`u_${read}`] = own[read] ?? this.produce(read);
     }
     const scale = Number(evaluate(spec.scale, this.names));
     const size = this.size.map((side) => Math.max(1, Math.floor(side * scale + 0.5)));
-    this.result.targets[target] = { size, format: spec.format, depth: spec.depth };
-    const program = this.program(stages);
-    const wanted = [...uniforms].filter((uniform) => !Object.hasOwn(samplers, uniform));
-    this.result.passes.push({
-      name,
-      target,
-      clear: meta.draw === "objects" ? float32([...this.scene.background, 1]) : null,
-      samplers,
-      batches: [this.batch(name, meta, program, wanted, size)],
-    });
-    this.note("files", files);
-    this.note("settings", new Set(stages.flatMap((source) => source.settings)));
+    this.target(target, spec, size);
+    const planned = this.planned(name, meta, target, spec);
+    planned.batches = this.batches.ofFrame(name, meta, size, this.maps);
+    planned.samplers = samplers;
+    checkUnits(planned);
+    this.result.passes.push(planned);
   }
 
-  private assemble(name: string, stage: Request["stage"]): Source {
-    return assembled(this.library, {
-      entry: `passes/${name}.glsl`,
-      stage,
-      choices: this.resolved.choices,
-      values: this.defines,
-      lists: this.lists,
-    });
+  /** The texture of a resource that the light of an index has its own of. */
+  private map(resource: string, light: string): string {
+    const target = `${resource}.${light}`;
+    if (!this.lightMaps.has(target)) this.addMap(resource, target, Number(light));
+    this.lightMaps.add(target);
+    return target;
   }
 
-  private program(stages: readonly Source[]): number {
-    const [vertex, fragment] = stages as [Source, Source];
-    const program: Program = {
-      vertex: vertex.text,
-      fragment: fragment.text,
-      vertex_lines: [...vertex.lines],
-      fragment_lines: [...fragment.lines],
-      attributes: Object.keys(vertex.attributes).sort(),
+  /** Append the pass that draws what one light sees. */
+  private addMap(resource: string, target: string, index: number): void {
+    const [name, meta] = [...this.metas].find(([, m]) => Object.hasOwn(m.writes, resource))!;
+    const spec = meta.writes[resource]!;
+    const side = Math.trunc(Number(evaluate(spec.side, this.names)));
+    const made = lightMap(this.scene, Object.values(this.scene.lights)[index]!, side);
+    this.maps.set(index, made);
+    this.target(target, spec, [made.tiles[0] * side, made.tiles[1] * side]);
+    const planned = this.planned(name, meta, target, spec);
+    planned.batches = this.batches.ofMap(name, meta, index, made);
+    this.result.passes.push(planned);
+  }
+
+  private target(name: string, { format, depth }: Target, size: number[]): void {
+    this.result.targets[name] = { size, format, depth };
+  }
+
+  private planned(name: string, meta: Pass, target: string, { clear }: Target): PlannedPass {
+    // A view of what objects are shows nothing where there is none.
+    const behind = this.inspects ? [0, 0, 0] : this.scene.background;
+    const color = clear === "background" ? [...behind, 1] : clear;
+    return {
+      ...{ name, target, clear: meta.draw === "objects" ? float32(color) : null },
+      ...{ keep: meta.keep, samplers: {}, batches: [] },
     };
-    return this.result.programs.push(program) - 1;
-  }
-
-  private batch(
-    name: string,
-    meta: Pass,
-    program: number,
-    wanted: readonly string[],
-    size: readonly number[],
-  ): Batch {
-    const shared = frameValues(this.resolved, this.library, size);
-    const perDraw = meta.draw === "objects" ? DRAW_NAMES : [];
-    const own = wanted.filter((uniform) => perDraw.includes(uniform)).sort();
-    const rest = wanted.filter((uniform) => !perDraw.includes(uniform)).sort();
-    const unknown = rest.find((uniform) => !Object.hasOwn(shared, uniform));
-    if (unknown !== undefined) {
-      const known = [...Object.keys(shared), ...DRAW_NAMES].sort().join(", ");
-      throw new ShaderError(
-        `passes/${name}.glsl:1: uniform ${unknown} has no value; known are: ${known}`,
-      );
-    }
-    const draws = meta.draw === "objects" ? this.draws(own, size) : [{ mesh: null, uniforms: {} }];
-    return { program, uniforms: only(rest, shared), draws };
-  }
-
-  private draws(own: readonly string[], size: readonly number[]): Draw[] {
-    return frontToBack(this.scene).map((thing) => ({
-      mesh: meshKey(this.resolved, this.library, thing, size),
-      uniforms: only(own, drawValues(this.scene, thing)),
-    }));
-  }
-
-  /** Record the choices and files in use: what the panel shows. */
-  private note(kept: "settings" | "files", found: ReadonlySet<string>): void {
-    const known = this.result[kept];
-    known.push(...[...found].filter((item) => !known.includes(item)));
   }
 }
 
-function only(
-  names: readonly string[],
-  values: Readonly<Record<string, number[]>>,
-): Record<string, number[]> {
-  return Object.fromEntries(names.map((name) => [name, values[name]!]));
+function checkUnits({ name, samplers, batches }: PlannedPass): void {
+  const targets = Object.keys(samplers).length;
+  const draws = batches.flatMap((batch) => batch.draws);
+  const own = Math.max(0, ...draws.map((draw) => Object.keys(draw.textures).length));
+  if (targets + own > MAX_UNITS) {
+    throw new LightbenchError(
+      `${name}: ${targets} shadow maps or targets and ${own} textures of a material at once; ` +
+        `a shader has at most ${MAX_UNITS}: let fewer lights cast shadows`,
+    );
+  }
 }

@@ -1,7 +1,7 @@
 /** One compiled program: compiled without waiting, its uniforms set only where they change. */
 
-import { explain } from "./assemble";
 import { GraphicsError, ShaderError } from "./errors";
+import { explain } from "./shader_log";
 import type { Program } from "./types";
 
 interface Uniform {

@@ -1,13 +1,15 @@
 /** The renderer: runs any plan on WebGL2, and knows no lighting. Twin of render.py. */
 
+import { missing, missingFor, rendererName } from "./context";
+import { Drawing } from "./drawing";
 import { GraphicsError } from "./errors";
 import { Geometry } from "./geometry";
 import type { MeshLoader } from "./mesh";
-import { CompiledProgram } from "./program";
+import { Programs } from "./programs";
 import { type Framebuffer, Targets } from "./targets";
-import type { Batch, Plan, PlannedPass, Program } from "./types";
+import { type ImageLoader, Textures } from "./textures";
+import type { Plan } from "./types";
 
-const MAX_PROGRAMS = 256;
 const POLL_MILLISECONDS = 4;
 
 /** Columns of the canvas from `left` to `right`, as shares of its width. */
@@ -21,30 +23,10 @@ interface Drawn {
   readonly framebuffers: ReadonlyMap<string, Framebuffer>;
 }
 
-/** A context of the canvas as the renderer needs it. Throws GraphicsError where there is none. */
-export function createContext(canvas: HTMLCanvasElement | OffscreenCanvas): WebGL2RenderingContext {
-  const options: WebGLContextAttributes = {
-    alpha: false,
-    antialias: false,
-    depth: false,
-    powerPreference: "high-performance",
-  };
-  const gl = canvas.getContext("webgl2", options) as WebGL2RenderingContext | null;
-  if (!gl) throw new GraphicsError("WebGL2 is missing: this browser has none, or it is turned off");
-  return gl;
-}
-
-/** What this context cannot do that the renderer needs; null where nothing is missing. */
-export function missing(gl: WebGL2RenderingContext): string | null {
-  if (gl.isContextLost()) return "the browser took the graphics context away";
-  if (gl.getExtension("EXT_color_buffer_float")) return null;
-  return "EXT_color_buffer_float is missing: this device cannot draw to float32 pictures";
-}
-
-/** The name of the GL behind a context. */
-export function rendererName(gl: WebGL2RenderingContext): string {
-  const unmasked = gl.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL;
-  return String(gl.getParameter(unmasked ?? gl.RENDERER));
+/** Where what plans only name comes from. */
+export interface Assets {
+  readonly mesh: MeshLoader;
+  readonly image: ImageLoader;
 }
 
 /**
@@ -55,60 +37,79 @@ export class Renderer {
   readonly name: string;
   private readonly targets: Targets;
   private readonly geometry: Geometry;
-  private readonly programs = new Map<string, CompiledProgram>();
+  private readonly textures: Textures;
+  private readonly programs: Programs;
+  private readonly drawing: Drawing;
   private size = "";
   private last: Drawn | null = null;
 
   /** Throws GraphicsError with what the context lacks. */
   constructor(
     readonly gl: WebGL2RenderingContext,
-    meshes: MeshLoader,
+    assets: Assets,
   ) {
     const problem = missing(gl);
     if (problem) throw new GraphicsError(problem);
     this.name = rendererName(gl);
     this.targets = new Targets(gl);
-    this.geometry = new Geometry(gl, meshes);
+    this.geometry = new Geometry(gl, assets.mesh);
+    this.textures = new Textures(gl, assets.image);
+    this.programs = new Programs(gl, () => this.geometry.forgetPrograms());
+    this.drawing = new Drawing(gl, this.geometry, this.textures);
     gl.disable(gl.DITHER);
   }
 
+  /** How often each pass has run, by its name: one to keep runs when it has changed. */
+  get runs(): Readonly<Record<string, number>> {
+    return this.drawing.runs;
+  }
+
   /**
-   * Compile all programs of a plan at once and load its meshes, without blocking.
+   * Compile all programs of a plan at once and load its meshes and images, without blocking.
    *
    * Rejects with ShaderError naming file and line, or GraphicsError.
    */
   async prepare(plan: Plan): Promise<void> {
-    const programs = plan.programs.map((program) => this.program(program));
-    await Promise.all([...meshKeys(plan)].map((key) => this.geometry.load(key)));
+    const programs = plan.programs.map((program) => this.programs.get(program));
+    await Promise.all([
+      ...[...meshKeys(plan)].map((key) => this.geometry.load(key)),
+      this.textures.load(Object.values(plan.textures)),
+    ]);
     while (!programs.every((program) => program.ready)) {
       await new Promise((resolve) => setTimeout(resolve, POLL_MILLISECONDS));
     }
-    for (const program of plan.programs) this.finished(program);
+    for (const program of plan.programs) this.programs.finished(program);
   }
 
   /** Whether `run` would draw at once. */
   ready(plan: Plan): boolean {
-    const compiled = plan.programs.every((program) => this.programs.get(keyOf(program))?.ready);
-    return compiled && [...meshKeys(plan)].every((key) => this.geometry.has(key));
+    return (
+      plan.programs.every((program) => this.programs.ready(program)) &&
+      [...meshKeys(plan)].every((key) => this.geometry.has(key)) &&
+      Object.values(plan.textures).every((texture) => this.textures.has(texture))
+    );
   }
 
   /**
    * Draw a plan to the canvas, which takes the plan's size; within `clip` only, if given.
    *
-   * A clip that follows another run in the same task leaves the rest of the canvas as it was.
-   * Throws ShaderError, or GraphicsError where a mesh was not loaded by `prepare`.
+   * A clip that follows another run in the same task leaves the rest of the canvas as it was. A pass
+   * to keep that is as it was is not run again. Throws ShaderError, or GraphicsError where a mesh or
+   * an image was not loaded by `prepare`.
    */
   run(plan: Plan, clip: Clip | null = null): void {
-    const programs = plan.programs.map((program) => this.finished(program));
+    const problem = missingFor(this.gl, plan);
+    if (problem) throw new GraphicsError(problem);
+    const programs = plan.programs.map((program) => this.programs.finished(program));
     const [width, height] = [plan.size[0]!, plan.size[1]!];
-    this.resize(width, height);
+    const resized = this.resize(width, height);
     const shown = plan.outputs.display!;
     const direct = drawsDirectly(plan);
     const targets = Object.entries(plan.targets).filter(([name]) => !direct || name !== shown);
-    const framebuffers = this.targets.of(Object.fromEntries(targets));
+    const framebuffers = this.targets.of(Object.fromEntries(targets), resized);
     for (const planned of plan.passes) {
       if (direct && planned.target === shown) this.clip(clip, width, height);
-      this.draw(planned, plan, programs, framebuffers);
+      this.drawing.pass(planned, { plan, programs, framebuffers });
     }
     if (!direct) {
       this.clip(clip, width, height);
@@ -120,19 +121,13 @@ export class Renderer {
 
   /** Linear RGBA of the last run, row 0 at the top: of all of it, or of one pixel. */
   readLinear(pixel: readonly [x: number, y: number] | null = null): Float32Array<ArrayBuffer> {
-    const { gl } = this;
     const { plan, framebuffers } = this.drawn();
     const output = plan.outputs.linear!;
-    const [width, height] = plan.targets[output]!.size as [number, number];
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffers.get(output)!.handle);
-    if (pixel) {
-      const one = new Float32Array(4);
-      gl.readPixels(pixel[0], height - 1 - pixel[1], 1, 1, gl.RGBA, gl.FLOAT, one);
-      return one;
-    }
-    const data = new Float32Array(width * height * 4);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, data);
-    return flipped(data, width * 4);
+    const { size, format } = plan.targets[output]!;
+    const [width, height] = size as [number, number];
+    const framebuffer = framebuffers.get(output)!;
+    if (pixel) return readFloats(this.gl, framebuffer, format, ...flippedRow(pixel, height), 1, 1);
+    return flipped(readFloats(this.gl, framebuffer, format, 0, 0, width, height), width * 4);
   }
 
   /** Display codes (RGBA) of the last run, row 0 at the top. */
@@ -149,9 +144,10 @@ export class Renderer {
 
   /** Release everything; the renderer is of no use after it. */
   dispose(): void {
-    this.forgetPrograms();
+    this.programs.clear();
     this.targets.clear();
     this.geometry.clear();
+    this.textures.clear();
     this.last = null;
   }
 
@@ -160,34 +156,8 @@ export class Renderer {
     return this.last;
   }
 
-  private program(source: Program): CompiledProgram {
-    const key = keyOf(source);
-    const known = this.programs.get(key);
-    if (known) return known;
-    if (this.programs.size >= MAX_PROGRAMS) this.forgetPrograms();
-    const program = new CompiledProgram(this.gl, source);
-    this.programs.set(key, program);
-    return program;
-  }
-
-  private finished(source: Program): CompiledProgram {
-    const program = this.program(source);
-    try {
-      program.finish();
-    } catch (error) {
-      this.programs.delete(keyOf(source));
-      throw error;
-    }
-    return program;
-  }
-
-  private forgetPrograms(): void {
-    this.geometry.forgetPrograms();
-    for (const program of this.programs.values()) program.dispose();
-    this.programs.clear();
-  }
-
-  private resize(width: number, height: number): void {
+  /** Whether the canvas has another size than for the last run. */
+  private resize(width: number, height: number): boolean {
     const { canvas } = this.gl;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
@@ -195,8 +165,9 @@ export class Renderer {
     if (drawingBufferWidth !== width || drawingBufferHeight !== height) {
       throw new GraphicsError(`this browser has no canvas of ${width}x${height} pixels`);
     }
-    if (this.size !== `${width}x${height}`) this.targets.clear();
+    const resized = this.size !== `${width}x${height}`;
     this.size = `${width}x${height}`;
+    return resized;
   }
 
   private clip(clip: Clip | null, width: number, height: number): void {
@@ -206,45 +177,6 @@ export class Renderer {
     this.gl.scissor(left, 0, Math.max(right - left, 0), height);
   }
 
-  /** Run one pass; a target that is in no framebuffer is the canvas. */
-  private draw(
-    planned: PlannedPass,
-    plan: Plan,
-    programs: readonly CompiledProgram[],
-    framebuffers: ReadonlyMap<string, Framebuffer>,
-  ): void {
-    const { gl } = this;
-    const target = plan.targets[planned.target]!;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffers.get(planned.target)?.handle ?? null);
-    gl.viewport(0, 0, target.size[0]!, target.size[1]!);
-    for (const feature of [gl.DEPTH_TEST, gl.CULL_FACE]) {
-      if (target.depth) gl.enable(feature);
-      else gl.disable(feature);
-    }
-    if (planned.clear) {
-      gl.clearBufferfv(gl.COLOR, 0, planned.clear);
-      if (target.depth) gl.clearBufferfv(gl.DEPTH, 0, [1]);
-    }
-    for (const [unit, name] of Object.values(planned.samplers).entries()) {
-      gl.activeTexture(gl.TEXTURE0 + unit);
-      gl.bindTexture(gl.TEXTURE_2D, framebuffers.get(name)!.texture);
-    }
-    for (const batch of planned.batches) {
-      const program = programs[batch.program]!;
-      program.use();
-      for (const [unit, name] of Object.keys(planned.samplers).entries()) program.set(name, [unit]);
-      this.drawBatch(batch, program);
-    }
-  }
-
-  private drawBatch(batch: Batch, program: CompiledProgram): void {
-    for (const [name, value] of Object.entries(batch.uniforms)) program.set(name, value);
-    for (const { mesh, uniforms } of batch.draws) {
-      for (const [name, value] of Object.entries(uniforms)) program.set(name, value);
-      this.geometry.draw(program, mesh);
-    }
-  }
-
   private copy(source: Framebuffer, width: number, height: number): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, source.handle);
@@ -252,10 +184,6 @@ export class Renderer {
     const all = [0, 0, width, height] as const;
     gl.blitFramebuffer(...all, ...all, gl.COLOR_BUFFER_BIT, gl.NEAREST);
   }
-}
-
-function keyOf(program: Program): string {
-  return `${program.vertex}\0${program.fragment}`;
 }
 
 function meshKeys(plan: Plan): ReadonlySet<string> {
@@ -271,6 +199,34 @@ function drawsDirectly(plan: Plan): boolean {
   const sampled = plan.passes.some((pass) => Object.values(pass.samplers).includes(output));
   const whole = size.every((side, axis) => side === plan.size[axis]);
   return whole && !sampled && !depth && format === "rgba8" && output !== plan.outputs.linear;
+}
+
+function flippedRow([x, y]: readonly [number, number], height: number): [number, number] {
+  return [x, height - 1 - y];
+}
+
+/** RGBA of a rectangle, bottom up; a format of one channel is grey. */
+function readFloats(
+  gl: WebGL2RenderingContext,
+  { handle }: Framebuffer,
+  format: string,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): Float32Array<ArrayBuffer> {
+  gl.bindFramebuffer(gl.FRAMEBUFFER, handle);
+  if (format === "rgba8") {
+    const codes = new Uint8Array(width * height * 4);
+    gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, codes);
+    return Float32Array.from(codes, (code) => code / 255);
+  }
+  const data = new Float32Array(width * height * 4);
+  gl.readPixels(x, y, width, height, gl.RGBA, gl.FLOAT, data);
+  if (format === "r32f") {
+    for (let at = 0; at < data.length; at += 4) data.fill(data[at]!, at, at + 3);
+  }
+  return data;
 }
 
 /** Rows from the bottom up as rows from the top down, in place. */

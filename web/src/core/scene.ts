@@ -5,81 +5,41 @@
  * here: one camera, light, material or object at a time. Messages are those of scene.py.
  */
 
-import { general, SceneError, shown } from "./errors";
-import type { Camera, Material, Scene, SceneObject, SchemaNode, SpotLight } from "./types";
+import { general, SceneError } from "./errors";
+import { completed } from "./materials";
+import { color, factors, isNumber, numbers, Problem, parseNumber } from "./scene_types";
+import type {
+  Camera,
+  Manifest,
+  Material,
+  Scene,
+  SceneObject,
+  SchemaNode,
+  SpotLight,
+} from "./types";
 
 export type Light = Scene["lights"][string];
 type Data = Record<string, unknown>;
 
 /** Groups of a scene that settings may edit, in the order in which they are checked. */
 const GROUPS = ["materials", "objects", "lights"] as const;
-const HEX = /^#?([0-9a-fA-F]{6})$/;
-const NUMBER = /^\s*[+-]?(?:(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|(inf(?:inity)?|nan))\s*$/i;
+const TRUE: readonly unknown[] = [1, "1", "t", "true", "y", "yes", "on"];
+const FALSE: readonly unknown[] = [0, "0", "f", "false", "n", "no", "off"];
 const INTEGER = /^\s*[+-]?\d+(?:\.0*)?\s*$/;
 // Shortest vector with a direction: far above where the square of its length would vanish.
 const SHORTEST = 1e-9;
 
-/** A problem at a path below the scene; `given` where the message does not show the value itself. */
-class Problem extends Error {
-  constructor(
-    readonly path: string,
-    message: string,
-    given: readonly [unknown] | null = null,
-  ) {
-    super(given ? `${message} (given ${shown(given[0])})` : message);
-  }
-}
-
-/** The number that `text` is in Python's notation; NaN where it is none. */
-export function parseNumber(text: string): number {
-  const plain = text.replace(/(?<=\d)_(?=\d)/g, "");
-  const match = NUMBER.exec(plain);
-  if (!match) return Number.NaN;
-  if (!match[1]) return Number(plain);
-  if (match[1].toLowerCase() === "nan") return Number.NaN;
-  return plain.includes("-") ? -Infinity : Infinity;
-}
-
-function isNumber(text: string): boolean {
-  return NUMBER.test(text.replace(/(?<=\d)_(?=\d)/g, ""));
-}
-
-/** A linear RGB triple from one, or from an sRGB `#rrggbb` (also bare, or `r,g,b`). */
-export function color(value: unknown): unknown {
-  if (typeof value !== "string") return value;
-  const code = HEX.exec(value.trim())?.[1];
-  if (!code) return numbers(value, "write #rrggbb (sRGB) or r,g,b (linear)");
-  return [0, 2, 4].map((at) => decodeSrgb(Number.parseInt(code.slice(at, at + 2), 16) / 255));
-}
-
-/** IEC 61966-2-1. */
-function decodeSrgb(code: number): number {
-  return code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
-}
-
-function numbers(value: unknown, allowed = "write x,y,z"): unknown {
-  if (typeof value !== "string") return value;
-  const parts = value.split(",");
-  if (parts.length !== 3 || !parts.every(isNumber)) {
-    throw new Problem("", `${shown(value)} does not parse: ${allowed}`);
-  }
-  return parts.map(parseNumber);
-}
-
-/** Scale factors along x, y and z; a lone number stands for all three. */
-function factors(value: unknown): unknown {
-  const alone = typeof value === "number" || (typeof value === "string" && !value.includes(","));
-  return alone ? [value, value, value] : numbers(value);
-}
-
 /** The parts of a scene that edits may replace, by path: `camera`, `lights.key`. */
 export type Drafts = ReadonlyMap<string, Data>;
 
+/** What a scene is checked against. */
+export type Rules = Pick<Manifest, "schema" | "materials">;
+
 /** `scene` with the drafts in place. Throws SceneError with the path of the offending field. */
-export function withDrafts(scene: Scene, drafts: Drafts, schema: SchemaNode): Scene {
+export function withDrafts(scene: Scene, drafts: Drafts, rules: Rules): Scene {
   try {
-    const edited = replaced(scene, drafts, schema);
-    checkMaterials(edited);
+    const edited = replaced(scene, drafts, rules);
+    checkNames(edited);
     return edited;
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
@@ -88,7 +48,7 @@ export function withDrafts(scene: Scene, drafts: Drafts, schema: SchemaNode): Sc
   }
 }
 
-function replaced(scene: Scene, drafts: Drafts, schema: SchemaNode): Scene {
+function replaced(scene: Scene, drafts: Drafts, { schema, materials }: Rules): Scene {
   const node = (name: string) => schema.$defs![name]!;
   const edited: Scene = { ...scene };
   const camera = drafts.get("camera");
@@ -96,8 +56,11 @@ function replaced(scene: Scene, drafts: Drafts, schema: SchemaNode): Scene {
   for (const group of GROUPS) {
     const checked = Object.keys(scene[group]).flatMap((name): [string, Data][] => {
       const path = `${group}.${name}`;
-      const draft = drafts.get(path);
-      return draft ? [[name, validate(node(definition(group, draft, path)), draft, path)]] : [];
+      const given = drafts.get(path);
+      if (!given) return [];
+      const draft = group === "materials" ? completed(given, materials) : given;
+      const kind = node(definition(group, draft, path));
+      return [[name, validate(kind, draft, path, (data) => checkLibrary(data, path, materials))]];
     });
     if (checked.length) Object.assign(edited, { [group]: merged(scene[group], checked) });
   }
@@ -121,8 +84,8 @@ function definition(group: (typeof GROUPS)[number], draft: Data, path: string): 
   );
 }
 
-/** Every field of an object checked, defaults filled in, in the schema's order. */
-function validate(node: SchemaNode, data: Data, path: string): Data {
+/** Every field of an object checked, then `names`; defaults filled in, in the schema's order. */
+function validate(node: SchemaNode, data: Data, path: string, names = (_: Data) => {}): Data {
   const fields = node.properties ?? {};
   const result: Data = {};
   for (const [name, field] of Object.entries(fields)) {
@@ -138,6 +101,7 @@ function validate(node: SchemaNode, data: Data, path: string): Data {
     }
     result[name] = validateField(node.additionalProperties, data[name], at);
   }
+  names(result);
   CHECKS[node.title ?? ""]?.(result, path);
   return result;
 }
@@ -147,6 +111,8 @@ function validateField(node: SchemaNode, value: unknown, path: string): unknown 
     return value === null || value === "auto" ? null : validateField(node.anyOf[0]!, value, path);
   }
   if (node.prefixItems) return validateTuple(node, value, path);
+  if (node.type === "object") return validateTable(value, path);
+  if (node.type === "boolean") return validateTruth(value, path);
   if (node.enum ?? node.const) return validateWord(node, value, path);
   if (node.type === "string") return validateText(node, value, path);
   return validateNumber(node, value, path);
@@ -199,6 +165,22 @@ function validateText(node: SchemaNode, value: unknown, path: string): unknown {
   return value;
 }
 
+/** A table within a field, such as a material's maps, cannot be edited: it is there already. */
+function validateTable(value: unknown, path: string): unknown {
+  if (typeof value === "object" && value !== null && !Array.isArray(value)) return value;
+  throw new Problem(path, "Input should be a valid dictionary", [value]);
+}
+
+function validateTruth(value: unknown, path: string): boolean {
+  const word = typeof value === "string" ? value.toLowerCase() : Number(value);
+  const scalar = ["boolean", "string"].includes(typeof value) || Number.isInteger(value);
+  if (scalar && TRUE.includes(word)) return true;
+  if (scalar && FALSE.includes(word)) return false;
+  const close = typeof value === "string" || (scalar && Math.abs(Number(value)) < 2 ** 63);
+  const why = close ? ", unable to interpret input" : "";
+  throw new Problem(path, `Input should be a valid boolean${why}`, [value]);
+}
+
 function validateNumber(node: SchemaNode, value: unknown, path: string): number {
   const number = node.type === "integer" ? toInteger(value, path) : toNumber(value, path);
   if (!Number.isFinite(number)) throw new Problem(path, "Input should be a finite number", [value]);
@@ -246,7 +228,7 @@ function digits(limit: number): string {
 const CHECKS: Readonly<Record<string, (data: Data, path: string) => void>> = {
   Camera: (data, path) => checkFrame(data as unknown as Camera, path),
   Material: (data, path) => checkOneSource(data as unknown as Material, path),
-  Object: (data, path) => checkNotFlat(data as unknown as SceneObject, path),
+  Object: (data, path) => checkShape(data as unknown as SceneObject, path),
   SpotLight: (data, path) => checkCone(data as unknown as SpotLight, path),
 };
 
@@ -260,13 +242,22 @@ function checkFrame({ eye, target, up }: Camera, path: string): void {
   }
 }
 
-function checkOneSource({ f0, ior }: Material, path: string): void {
+function checkOneSource({ f0, ior, eta, k }: Material, path: string): void {
   if (f0 !== null && ior !== null) throw new Problem(path, "give f0 or ior, not both");
+  if ((eta === null) !== (k === null)) throw new Problem(path, "give both eta and k, or neither");
 }
 
-function checkNotFlat({ scale }: SceneObject, path: string): void {
+function checkLibrary({ library }: Data, path: string, materials: Manifest["materials"]): void {
+  if (typeof library !== "string" || Object.hasOwn(materials, library)) return;
+  const known = Object.keys(materials).join(", ");
+  throw new Problem(`${path}.library`, `no material '${library}'; there is: ${known}`);
+}
+
+function checkShape({ scale, shape, mesh }: SceneObject, path: string): void {
   if (scale.some((s) => s < 1e-6))
     throw new Problem(path, "scale: each factor must be at least 1e-6");
+  if ((shape === "mesh") !== (mesh !== null))
+    throw new Problem(path, "mesh: name one with shape mesh, and with no other");
 }
 
 function checkCone({ inner, outer }: SpotLight, path: string): void {
@@ -276,14 +267,17 @@ function checkCone({ inner, outer }: SpotLight, path: string): void {
   }
 }
 
-function checkMaterials(scene: Scene): void {
-  for (const [name, { material }] of Object.entries(scene.objects)) {
-    if (!Object.hasOwn(scene.materials, material)) {
-      const known = Object.keys(scene.materials).join(", ");
-      throw new Problem(
-        "",
-        `objects.${name}.material: no material '${material}'; there is: ${known}`,
-      );
-    }
+function checkNames(scene: Scene): void {
+  for (const [name, { material, mesh }] of Object.entries(scene.objects)) {
+    checkKnown(`objects.${name}.material`, "material", material, scene.materials);
+    if (mesh !== null) checkKnown(`objects.${name}.mesh`, "mesh", mesh, scene.meshes);
   }
+  const { light } = scene.camera;
+  if (light !== null) checkKnown("camera.light", "light", light, scene.lights);
+}
+
+function checkKnown(where: string, kind: string, name: string, there: object): void {
+  if (Object.hasOwn(there, name)) return;
+  const known = Object.keys(there).join(", ");
+  throw new Problem("", `${where}: no ${kind} '${name}'; there is: ${known}`);
 }

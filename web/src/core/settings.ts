@@ -4,9 +4,12 @@
  */
 
 import { general, SceneError, SettingError, shown } from "./errors";
-import { choices, type Library, parameters } from "./library";
-import { color, parseNumber, withDrafts } from "./scene";
+import { choices, type Library, ofMaterials, parameters } from "./library";
+import { withoutLibraryFields } from "./materials";
+import { withDrafts } from "./scene";
+import { color, parseNumber } from "./scene_types";
 import type { Manifest, Parameter, Scene } from "./types";
+import { lightCamera } from "./viewpoint";
 
 export type Setting = number | string | boolean | null | readonly number[];
 export type Settings = Readonly<Record<string, Setting>>;
@@ -21,6 +24,8 @@ export interface Resolved {
 
 /** How many names lead to a field of each group. */
 const DEPTH: Readonly<Record<string, number>> = { camera: 1, lights: 2, materials: 2, objects: 2 };
+/** Groups whose members may have more fields than the scene gives them. */
+const OPEN = ["lights", "materials"];
 
 /**
  * Defaults of the menu, under the scene's own settings, under `given`.
@@ -32,14 +37,15 @@ export function resolve(manifest: Manifest, scene: Scene, given: Settings): Reso
   const wanted = Object.entries({ ...scene.settings, ...given });
   const edits = wanted.filter(([name]) => name.includes("."));
   const menu = new Map(wanted.filter(([name]) => !name.includes(".")));
-  const edited = withEdits(scene, edits, manifest);
+  const changed = withEdits(scene, edits, manifest);
   const chosen: Record<string, string> = {};
   for (const [name, folder] of Object.entries(manifest.folders)) {
     const value = menu.has(folder.setting) ? menu.get(folder.setting)! : folder.default;
     chosen[folder.setting] = choose(manifest, name, value);
     menu.delete(folder.setting);
   }
-  const active = activeParameters(manifest, chosen);
+  const edited = fromLight(changed);
+  const active = activeParameters(manifest, everyChoice(manifest, chosen, edited));
   checkNames(manifest, menu);
   const values: Record<string, Value> = {};
   for (const [name, parameter] of active) {
@@ -62,16 +68,49 @@ function bare(value: Setting): string {
   return typeof value === "string" ? value : shown(value);
 }
 
+/** The scene as its camera shows it: from a light, if it says so. */
+function fromLight(scene: Scene): Scene {
+  const { light } = scene.camera;
+  return light === null ? scene : { ...scene, camera: lightCamera(scene, scene.lights[light]!) };
+}
+
+/** The choices in use by setting: the frame's, and those that materials make for themselves. */
+function everyChoice(
+  manifest: Manifest,
+  chosen: Readonly<Record<string, string>>,
+  scene: Scene,
+): ReadonlyMap<string, ReadonlySet<string>> {
+  const every = new Map(
+    Object.entries(chosen).map(([setting, choice]) => [setting, new Set([choice])]),
+  );
+  const fields = manifest.schema.$defs?.Material?.properties ?? {};
+  const own = ofMaterials(manifest);
+  for (const [material, values] of Object.entries(scene.materials)) {
+    for (const [setting, choice] of Object.entries(values)) {
+      if (Object.hasOwn(fields, setting)) continue;
+      const folder = own.get(setting);
+      if (folder === undefined) {
+        throw new SettingError(
+          `materials.${material}.${setting}: no such field; beside its own fields a ` +
+            `material may have: ${[...own.keys()].join(", ")}`,
+        );
+      }
+      every.get(setting)!.add(choose(manifest, folder, choice as Setting));
+    }
+  }
+  return every;
+}
+
 /** The parameters of the chosen files, of passes and of lib. */
 function activeParameters(
   library: Library,
-  chosen: Readonly<Record<string, string>>,
+  chosen: ReadonlyMap<string, ReadonlySet<string>>,
 ): ReadonlyMap<string, Parameter> {
   const found = new Map<string, Parameter>();
   for (const [path, file] of Object.entries(library.files)) {
-    const [folder = "", name] = path.split(/\/(.*)/s);
+    const [folder = "", name = ""] = path.split(/\/(.*)/s);
     const menu = library.folders[folder];
-    if (menu && name !== `${chosen[menu.setting]}.glsl`) continue;
+    if (menu && !chosen.get(menu.setting)!.has(name.replace(/\.glsl$/, ""))) continue;
     for (const [key, parameter] of Object.entries(file.meta.parameters)) found.set(key, parameter);
   }
   return found;
@@ -108,7 +147,7 @@ function checkLights(manifest: Manifest, scene: Scene): void {
         const allowed = [...own, ...[...known.keys()].sort()].join(", ");
         throw new SceneError(`lights.${name}.${extra}: no such field; allowed are: ${allowed}`);
       }
-      checkedValue(`lights.${name}.${extra}`, parameter, value);
+      checkedValue(`lights.${name}.${extra}`, parameter, value as Setting);
     }
   }
 }
@@ -169,20 +208,27 @@ function withEdits(
   manifest: Manifest,
 ): Scene {
   const drafts = new Map<string, Record<string, unknown>>();
+  const places: [key: string, last: string, value: Setting][] = [];
   for (const [path, value] of edits) {
     const parents = path.split(".");
     const last = parents.pop()!;
     const key = parents.join(".");
     const draft = drafts.get(key) ?? copyOf(scene, parents);
     if (!draft) throw new SettingError(`no setting '${path}'; ${knownPaths(scene)}`);
-    if (!Object.hasOwn(draft, last) && parents[0] !== "lights") {
+    if (!Object.hasOwn(draft, last) && !OPEN.includes(parents[0]!)) {
       const allowed = Object.keys(draft).join(", ");
       throw new SettingError(`no setting '${path}'; allowed here are: ${allowed}`);
     }
-    draft[last] = value;
     drafts.set(key, draft);
+    places.push([key, last, value]);
   }
-  return drafts.size ? withDrafts(scene, drafts, manifest.schema) : scene;
+  for (const [key, last, value] of places) {
+    if (last === "library" && value !== null && value !== "auto") {
+      drafts.set(key, withoutLibraryFields(drafts.get(key)!));
+    }
+  }
+  for (const [key, last, value] of places) drafts.get(key)![last] = value;
+  return drafts.size ? withDrafts(scene, drafts, manifest) : scene;
 }
 
 /** The part of the scene at a path, free to edit; null where there is none. */

@@ -3,12 +3,18 @@
 import { GraphicsError } from "./errors";
 import type { PlannedTarget } from "./types";
 
-const MAX_FRAMEBUFFERS = 16;
+/** Bytes of all framebuffers kept between plans. */
+const MAX_KEPT_BYTES = 2 ** 29;
+/** What a framebuffer counts for at least: its attachments cost something at any size. */
+const LEAST_BYTES = 2 ** 22;
+/** Bytes of a pixel by format. */
+const BYTES: Readonly<Record<string, number>> = { rgba32f: 16, rgba16f: 8, rgba8: 4, r32f: 4 };
 
 export interface Framebuffer {
   readonly handle: WebGLFramebuffer;
   readonly texture: WebGLTexture;
   readonly depth: WebGLRenderbuffer | null;
+  readonly bytes: number;
 }
 
 /** Owns framebuffers with their textures and depth buffers. */
@@ -20,12 +26,16 @@ export class Targets {
     this.limit = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
   }
 
-  /** The framebuffers of a plan's targets, kept for the next plan of the same size. */
-  of(targets: Readonly<Record<string, PlannedTarget>>): Map<string, Framebuffer> {
+  /** The framebuffers of a plan's targets, and `only` those, or others too as there is room. */
+  of(targets: Readonly<Record<string, PlannedTarget>>, only: boolean): Map<string, Framebuffer> {
     const entries = Object.entries(targets);
     const found = new Map(entries.map(([name, target]) => [name, this.get(name, target)]));
-    while (this.made.size > Math.max(MAX_FRAMEBUFFERS, found.size)) {
-      this.release(this.made.keys().next().value!);
+    const used = new Set(found.values());
+    let held = [...this.made.values()].reduce((sum, { bytes }) => sum + bytes, 0);
+    for (const [key, framebuffer] of [...this.made]) {
+      if (used.has(framebuffer) || (!only && held <= MAX_KEPT_BYTES)) continue;
+      held -= framebuffer.bytes;
+      this.release(key);
     }
     return found;
   }
@@ -51,6 +61,7 @@ export class Targets {
       handle: gl.createFramebuffer(),
       texture: makeTexture(gl, format, width, height),
       depth: depth ? makeDepth(gl, width, height) : null,
+      bytes: Math.max(width * height * (BYTES[format]! + (depth ? 4 : 0)), LEAST_BYTES),
     };
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer.handle);
     const [place, kind] = [gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D];
@@ -90,6 +101,7 @@ function makeTexture(
     rgba32f: gl.RGBA32F,
     rgba16f: gl.RGBA16F,
     rgba8: gl.RGBA8,
+    r32f: gl.R32F,
   };
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);

@@ -11,7 +11,7 @@ export interface Contracts {
   plan: Plan;
 }
 /**
- * The shader library, the presets and the JSON schema of a scene.
+ * The shader library, the presets, the material library and the JSON schema of a scene.
  */
 export interface Manifest {
   folders: {
@@ -27,10 +27,15 @@ export interface Manifest {
   scenes: {
     [k: string]: SceneSummary;
   };
+  materials: {
+    [k: string]: LibraryMaterial;
+  };
   schema: SchemaNode;
 }
 /**
  * `_choice.toml`: what every file of a choice folder promises.
+ *
+ * Of one `per` material, a material may make its own choice.
  */
 export interface Folder {
   setting: string;
@@ -39,6 +44,7 @@ export interface Folder {
   optional: string[];
   default: string;
   about: string;
+  per: "frame" | "material";
 }
 /**
  * One file of `shaders/`: `code` is free of comments and keeps the file's line numbers.
@@ -67,15 +73,20 @@ export interface Pass {
   };
   textbook_of: string;
   material: string[];
+  surface: ("normal" | "emission" | "occlusion" | "opacity")[];
   reads: string[];
+  signed: boolean;
   parameters: {
     [k: string]: Parameter;
   };
   draw: "screen" | "objects";
+  each: "frame" | "light";
   writes: {
     [k: string]: Target;
   };
   when: string;
+  blend: "none" | "over" | "add";
+  keep: boolean;
 }
 /**
  * A value that a file's front matter offers: a slider, an option, a uniform or a define.
@@ -92,11 +103,16 @@ export interface Parameter {
 }
 /**
  * What a pass writes: a texture of the output's size times `scale` (an expression).
+ *
+ * For each light it is instead made of square tiles, one a face of the light's map, of `side`
+ * pixels (an expression). `clear` is its colour beforehand, or the scene's background.
  */
 export interface Target {
-  format: "rgba32f" | "rgba16f" | "rgba8";
+  format: "rgba32f" | "rgba16f" | "rgba8" | "r32f";
   scale: string;
+  side: string;
   depth: boolean;
+  clear: "background" | [number, number, number, number];
 }
 /**
  * Front matter of a choice or of a lib file.
@@ -115,7 +131,9 @@ export interface Choice {
   };
   textbook_of: string;
   material: string[];
+  surface: ("normal" | "emission" | "occlusion" | "opacity")[];
   reads: string[];
+  signed: boolean;
   parameters: {
     [k: string]: Parameter;
   };
@@ -126,6 +144,26 @@ export interface Choice {
 export interface SceneSummary {
   title: string;
   about: string;
+}
+/**
+ * One material: its name for people, where its numbers come from, and values of a scene's.
+ *
+ * Colours are linear Rec. 709; kd and ks reflectances; eta and k for red, green and blue. A value
+ * that is null follows from the others, as in a scene.
+ */
+export interface LibraryMaterial {
+  title: string;
+  source: string;
+  base_color: [number, number, number];
+  metalness: number;
+  roughness: number;
+  f0: [number, number, number] | null;
+  ior: number | null;
+  eta: [number, number, number] | null;
+  k: [number, number, number] | null;
+  kd: [number, number, number] | null;
+  ks: [number, number, number] | null;
+  shininess: number | null;
 }
 export interface SchemaNode {
   $ref?: string;
@@ -171,7 +209,16 @@ export interface Scene {
   about: string;
   units: "physical" | "classic";
   camera: Camera;
+  views: {
+    [k: string]: Camera;
+  };
   background: [number, number, number];
+  textures: {
+    [k: string]: Texture;
+  };
+  meshes: {
+    [k: string]: MeshAsset;
+  };
   materials: {
     [k: string]: Material;
   };
@@ -186,16 +233,44 @@ export interface Scene {
   };
 }
 /**
- * A perspective camera; `fov` is vertical.
+ * A perspective camera whose `fov` is vertical, or an orthographic one of `height` metres.
+ *
+ * `light` names a light that the picture is taken from instead, with all that it reaches in sight.
  */
 export interface Camera {
   eye: [number, number, number];
   target: [number, number, number];
   up: [number, number, number];
   fov: number;
+  projection: "perspective" | "orthographic";
+  height: number;
+  light: string | null;
+}
+/**
+ * An image on surfaces: row 0 at v = 0. `image` is the key of a PNG in the asset store.
+ */
+export interface Texture {
+  image: string;
+  encoding: "srgb" | "linear";
+  wrap: ["repeat" | "clamp" | "mirror", "repeat" | "clamp" | "mirror"];
+  filter: "linear" | "nearest";
+}
+/**
+ * A mesh in the asset store, the box it fills and the optional attributes it has.
+ */
+export interface MeshAsset {
+  mesh: string;
+  low: [number, number, number];
+  high: [number, number, number];
+  colors: boolean;
+  uv1: boolean;
 }
 /**
  * Physical parameters, and classic ones that follow from them unless given (null).
+ *
+ * What a map holds is multiplied with the value of its slot. Beside these fields a material may
+ * choose, for itself alone, what the menu marks as a material's own, such as its model. What is
+ * not given and `library` has comes from that: from then on it is the scene's own.
  */
 export interface Material {
   base_color: [number, number, number];
@@ -203,15 +278,53 @@ export interface Material {
   roughness: number;
   f0: [number, number, number] | null;
   ior: number | null;
+  eta: [number, number, number] | null;
+  k: [number, number, number] | null;
   kd: [number, number, number] | null;
   ks: [number, number, number] | null;
   shininess: number | null;
+  emissive: [number, number, number];
+  opacity: number;
+  alpha_mode: "opaque" | "mask" | "blend";
+  alpha_cutoff: number;
+  double_sided: boolean;
+  unlit: boolean;
+  normal_scale: number;
+  occlusion_strength: number;
+  maps: {
+    [k: string]: TextureMap;
+  };
+  library: string | null;
+  [k: string]:
+    | string
+    | [number, number, number]
+    | number
+    | null
+    | "opaque"
+    | "mask"
+    | "blend"
+    | boolean
+    | {
+        [k: string]: TextureMap;
+      };
+}
+/**
+ * A texture over a surface, through u' = R (S u) + offset as in KHR_texture_transform.
+ */
+export interface TextureMap {
+  texture: string;
+  channels: "rgba" | "r" | "g" | "b" | "a";
+  uv: 0 | 1;
+  offset: [number, number];
+  rotation: number;
+  scale: [number, number];
 }
 /**
  * A shape under scale, then rotation (Euler x, y, z in degrees), then position.
  */
 export interface SceneObject {
-  shape: "plane" | "cube" | "sphere" | "cone";
+  shape: "plane" | "cube" | "sphere" | "cone" | "mesh";
+  mesh: string | null;
   material: string;
   position: [number, number, number];
   rotation: [number, number, number];
@@ -225,10 +338,12 @@ export interface SceneObject {
 export interface PointLight {
   color: [number, number, number];
   intensity: number;
+  casts: boolean;
+  far: number | null;
   type: "point";
   position: [number, number, number];
   unit: "candela" | "lumen";
-  [k: string]: number | [number, number, number] | "point" | "candela" | "lumen";
+  [k: string]: number | [number, number, number] | boolean | null | "point" | "candela" | "lumen";
 }
 /**
  * Parallel light along `direction`; `intensity` is the illuminance across it in lux.
@@ -236,9 +351,11 @@ export interface PointLight {
 export interface DirectionalLight {
   color: [number, number, number];
   intensity: number;
+  casts: boolean;
+  far: number | null;
   type: "directional";
   direction: [number, number, number];
-  [k: string]: number | [number, number, number] | "directional";
+  [k: string]: number | [number, number, number] | boolean | null | "directional";
 }
 /**
  * A point light inside a cone: full up to the half angle `inner`, none from `outer` on.
@@ -246,27 +363,35 @@ export interface DirectionalLight {
 export interface SpotLight {
   color: [number, number, number];
   intensity: number;
+  casts: boolean;
+  far: number | null;
   type: "spot";
   position: [number, number, number];
   direction: [number, number, number];
   inner: number;
   outer: number;
   unit: "candela" | "lumen";
-  [k: string]: number | [number, number, number] | "spot" | "candela" | "lumen";
+  [k: string]: number | [number, number, number] | boolean | null | "spot" | "candela" | "lumen";
 }
 /**
  * All that a renderer needs, and what the panel shows (`settings`, `files`).
+ *
+ * `signed`: the picture holds negative numbers by right, as a view of normals does.
  */
 export interface Plan {
   size: number[];
   targets: {
     [k: string]: PlannedTarget;
   };
+  textures: {
+    [k: string]: PlannedTexture;
+  };
   programs: Program[];
   passes: PlannedPass[];
   outputs: {
     [k: string]: string;
   };
+  signed: boolean;
   settings: string[];
   files: string[];
 }
@@ -277,6 +402,18 @@ export interface PlannedTarget {
   size: number[];
   format: string;
   depth: boolean;
+}
+/**
+ * An image on surfaces: its key in the asset store and how it is sampled.
+ *
+ * `wrap`: repeat, clamp or mirror along u and v. `anisotropy`: samples at most, where available.
+ */
+export interface PlannedTexture {
+  image: string;
+  encoding: string;
+  wrap: string[];
+  filter: string;
+  anisotropy: number;
 }
 /**
  * Both specialised sources of a pass, where their lines come from, the attributes they read.
@@ -290,32 +427,44 @@ export interface Program {
 }
 /**
  * One pass: the target it writes, its clear colour (null: none), samplers by target.
+ *
+ * A pass to `keep` need not run again as long as it stays the same.
  */
 export interface PlannedPass {
   name: string;
   target: string;
   clear: number[] | null;
+  keep: boolean;
   samplers: {
     [k: string]: string;
   };
   batches: Batch[];
 }
 /**
- * The draws of one program, with the uniforms they share.
+ * Draws of one program in one state, with the uniforms they share.
+ *
+ * `tile`: x, y and side of the part of the target that is drawn to (null: all). `cull`: back faces
+ * are not drawn. `blend`: null, or "over" and "add", which leave the depth buffer as it is.
  */
 export interface Batch {
   program: number;
+  tile: number[] | null;
+  cull: boolean;
+  blend: string | null;
   uniforms: {
     [k: string]: number[];
   };
   draws: Draw[];
 }
 /**
- * One mesh (null: the screen triangle) and the uniforms that are its own.
+ * One mesh (null: the screen triangle), the uniforms that are its own, textures by sampler.
  */
 export interface Draw {
   mesh: string | null;
   uniforms: {
     [k: string]: number[];
+  };
+  textures: {
+    [k: string]: string;
   };
 }

@@ -1,25 +1,24 @@
 /**
  * The numbers of a plan: what a scene gives to uniforms, rounded to float32. Twin of values.py.
  *
- * Positions are relative to the eye, so a scene far from the origin loses nothing. Rounding to
+ * Positions are relative to the viewpoint, so a scene far from the origin loses nothing. Rounding to
  * float32 here makes the two plans equal where libraries differ in the last bit of float64.
  */
 
+import { boundingSphere, distance } from "./bounds";
 import { type Library, parameters } from "./library";
 import * as matrix from "./matrix";
 import type { Light } from "./scene";
 import type { Resolved } from "./settings";
-import type { Camera, Material, Scene, SceneObject } from "./types";
+import type { Material, Scene, SceneObject, TextureMap } from "./types";
+import type { LightMap, Viewpoint } from "./viewpoint";
 
-export type Values = Record<string, number[]>;
-type Size = readonly number[];
+export type Values = Readonly<Record<string, number[]>>;
 type Fields = Record<string, matrix.Vector>;
 
-/** Radius of each shape about its own origin. */
-const BOUND = { plane: Math.sqrt(0.5), cube: Math.sqrt(0.75), sphere: 1, cone: 1 };
-// Nearest depth kept, as a share of the farthest: 24 bits then resolve 6e-5 of the far distance.
-const NEAREST = 1e-3;
 const DIELECTRIC_F0 = 0.04;
+// Greatest reflectance at normal incidence that is given an index: a perfect mirror has none.
+const F0_MAX = 0.999;
 const MIN_ALPHA = 1e-3;
 const MAX_SHININESS = 1e6;
 // Brightest light, that of a scene's limit: a flux through no more than a ray would be infinite.
@@ -30,105 +29,155 @@ export function float32(values: matrix.Vector): number[] {
   return values.map((value) => Math.fround(value) + 0);
 }
 
-/** Uniforms that all draws of a pass share: camera, lights, parameters. */
-export function frameValues(resolved: Resolved, library: Library, size: Size): Values {
-  const { scene, values } = resolved;
-  const found: Values = { u_view_projection: float32(viewProjection(scene, size)) };
+function uniforms(fields: Readonly<Fields>): Values {
+  const found: Record<string, number[]> = {};
+  for (const [name, value] of Object.entries(fields)) found[`u_${name}`] = float32(value);
+  return found;
+}
+
+/** Uniforms of the menu's parameters. */
+export function parameterValues({ values }: Resolved): Values {
+  const fields: Fields = {};
   for (const [name, value] of Object.entries(values)) {
-    found[`u_${name}`] = float32(typeof value === "number" ? [value] : value);
+    fields[name] = typeof value === "number" ? [value] : value;
   }
+  return uniforms(fields);
+}
+
+/** Uniforms of the camera and of the target's size. */
+export function frameValues(viewpoint: Viewpoint, scene: Scene, size: readonly number[]): Values {
+  const { eye, target } = scene.camera;
+  const back = matrix.normalize(matrix.subtract(eye, target));
+  return uniforms({ view_projection: viewpoint.matrix, to_eye: back, resolution: size });
+}
+
+/** Uniforms of a face of a light's map, while it is drawn. */
+export function mapValues(viewpoint: Viewpoint, { far, axis }: LightMap): Values {
+  return uniforms({ view_projection: viewpoint.matrix, map_far: [far], map_axis: axis });
+}
+
+/** Uniforms of the lights, and of the maps of those that cast shadows. */
+export function lightValues(
+  { scene, values }: Resolved,
+  library: Library,
+  maps: ReadonlyMap<number, LightMap>,
+  eye: matrix.Triple,
+): Values {
   const perLight = parameters(library).filter(
     ([name, parameter]) => parameter.per === "light" && Object.hasOwn(values, name),
   );
+  const fields: Fields = {};
   for (const [index, light] of Object.values(scene.lights).entries()) {
-    const own = lightFields(light, scene.camera.eye);
+    const own = lightFields(light, eye);
     for (const [name] of perLight) own[name] = [Number(light[name] ?? values[name])];
-    for (const [name, value] of Object.entries(own)) {
-      found[`u_light${index}_${name}`] = float32(value);
-    }
+    const map = maps.get(index);
+    if (map) Object.assign(own, mapFields(map, eye));
+    for (const [name, value] of Object.entries(own)) fields[`light${index}_${name}`] = value;
   }
-  return found;
+  return uniforms(fields);
+}
+
+function mapFields({ far, texel, toClip, origin }: LightMap, eye: matrix.Triple): Fields {
+  const fields: Fields = { far: [far], texel: [texel] };
+  if (toClip) {
+    const moved = matrix.translation(matrix.subtract(eye, origin));
+    fields.map = matrix.multiply(toClip, moved);
+  }
+  return fields;
 }
 
 /** Names of the uniforms that each object has its own value of. */
 export const DRAW_NAMES: readonly string[] = [
-  ...["u_model", "u_normal_matrix", "u_base_color", "u_metalness", "u_roughness"],
-  ...["u_f0", "u_kd", "u_ks", "u_shininess"],
+  ...["u_model", "u_normal_matrix", "u_gap", "u_base_color", "u_metalness", "u_roughness"],
+  ...["u_f0", "u_eta", "u_k", "u_kd", "u_ks", "u_shininess", "u_dielectric_f0", "u_emissive"],
+  ...["u_opacity", "u_alpha_cutoff", "u_normal_scale", "u_occlusion_strength"],
 ];
 
-/** Uniforms of one object. */
-export function drawValues(scene: Scene, thing: SceneObject): Values {
-  const position = matrix.subtract(thing.position, scene.camera.eye);
-  const own: Fields = {
-    model: matrix.compose(position, thing.rotation, thing.scale),
-    normal_matrix: matrix.normalMatrix(thing.rotation, thing.scale),
-    ...materialFields(scene.materials[thing.material]!),
-  };
-  return Object.fromEntries(
-    Object.entries(own).map(([name, value]) => [`u_${name}`, float32(value)]),
-  );
+const materials = new WeakMap<Material, Values>();
+
+/** Uniforms of a material, made once: the passes of a plan and the next plans share them. */
+export function materialValues(material: Material): Values {
+  const known = materials.get(material);
+  if (known) return known;
+  const made = uniforms(materialFields(material));
+  materials.set(material, made);
+  return made;
+}
+
+const normals = new WeakMap<SceneObject, number[]>();
+
+function normalMatrix(thing: SceneObject): number[] {
+  const known = normals.get(thing);
+  if (known) return known;
+  const made = float32(matrix.normalMatrix(thing.rotation, thing.scale));
+  normals.set(thing, made);
+  return made;
+}
+
+/** A uniform of DRAW_NAMES but the gap, of one object, its place relative to `origin`. */
+export function drawValue(
+  scene: Scene,
+  thing: SceneObject,
+  origin: matrix.Triple,
+  name: string,
+): number[] {
+  if (name === "u_normal_matrix") return normalMatrix(thing);
+  if (name !== "u_model") return materialValues(scene.materials[thing.material]!)[name]!;
+  const position = matrix.subtract(thing.position, origin);
+  return float32(matrix.compose(position, thing.rotation, thing.scale));
+}
+
+/** 3x3, column-major: scale, then rotate, then move (KHR_texture_transform). */
+export function textureTransform({ scale, offset, rotation }: TextureMap): number[] {
+  const [[x, y], [u, v]] = [scale, offset];
+  const [c, s] = matrix.cosSin(rotation);
+  return float32([...[c * x, -s * x, 0], ...[s * y, c * y, 0], ...[u, v, 1]]);
 }
 
 /** Objects by distance, so that the depth test saves the shading of what is hidden. */
-export function frontToBack(scene: Scene): readonly SceneObject[] {
+export function frontToBack(scene: Scene, origin: matrix.Triple): readonly SceneObject[] {
   const things = Object.values(scene.objects);
-  const far = new Map(things.map((thing) => [thing, distanceTo(thing, scene.camera)]));
+  const far = new Map(things.map((thing) => [thing, distance(scene, thing, origin)]));
   return things.sort((a, b) => far.get(a)! - far.get(b)!);
 }
 
-/** The mesh of an object; a sphere gets the coarsest level whose silhouette is good enough. */
+/**
+ * The mesh of an object, and how far it may lie inside a finer one of the same surface.
+ *
+ * A sphere gets the coarsest level whose silhouette is good enough, unless the level is set.
+ */
 export function meshKey(
   resolved: Resolved,
   library: Library,
   thing: SceneObject,
-  size: Size,
-): string {
-  if (thing.shape === "cone") return `cone-${thing.stacks}x${thing.sectors}`;
-  if (thing.shape !== "sphere") return thing.shape;
-  let level = Number(resolved.values.subdivision);
-  if (level < 0) level = sphereLevel(resolved, library, thing, size);
-  return `icosphere-${level.toFixed(0)}`;
+  viewpoint: Viewpoint,
+): readonly [key: string, gap: number] {
+  if (thing.mesh !== null) return [resolved.scene.meshes[thing.mesh]!.mesh, 0];
+  if (thing.shape === "cone") return [`cone-${thing.stacks}x${thing.sectors}`, 0];
+  if (thing.shape !== "sphere") return [thing.shape, 0];
+  const set = Number(resolved.values.subdivision);
+  if (set >= 0) return [`icosphere-${set.toFixed(0)}`, 0];
+  const level = sphereLevel(resolved, library, thing, viewpoint);
+  return [`icosphere-${level}`, library.icosphere_errors[level]! * Math.max(...thing.scale)];
 }
 
-function sphereLevel(resolved: Resolved, library: Library, thing: SceneObject, size: Size): number {
-  const { camera } = resolved.scene;
-  const errors = library.icosphere_errors;
-  const radius = boundOf(thing);
-  const distance = distanceTo(thing, camera);
-  if (distance <= radius) return errors.length - 1;
-  const focal = size[1]! / (2 * Math.tan((camera.fov * Math.PI) / 180 / 2));
-  const pixels = (focal * radius) / Math.sqrt(distance * distance - radius * radius);
-  const allowed = Number(resolved.values.sphere_error);
+function sphereLevel(
+  { scene, values }: Resolved,
+  { icosphere_errors: errors }: Library,
+  thing: SceneObject,
+  { focal, orthographic, origin }: Viewpoint,
+): number {
+  const radius = boundingSphere(scene, thing)[1];
+  const away = distance(scene, thing, origin);
+  if (!orthographic && away <= radius) return errors.length - 1;
+  const seen = orthographic ? 1 : Math.sqrt(away * away - radius * radius);
+  const pixels = (focal * radius) / seen;
+  const allowed = Number(values.sphere_error);
   const good = errors.findIndex((error) => error * pixels <= allowed);
   return good < 0 ? errors.length - 1 : good;
 }
 
-function boundOf(thing: SceneObject): number {
-  return BOUND[thing.shape] * Math.max(...thing.scale);
-}
-
-function distanceTo(thing: SceneObject, camera: Camera): number {
-  const offset = matrix.subtract(thing.position, camera.eye);
-  return Math.sqrt(matrix.dot(offset, offset));
-}
-
-/** World directions about the eye to clip space; depth spans what there is to see. */
-function viewProjection(scene: Scene, size: Size): matrix.Vector {
-  const { camera } = scene;
-  const aspect = size[0]! / size[1]!;
-  const spans = Object.values(scene.objects).map(
-    (thing) => [distanceTo(thing, camera), boundOf(thing)] as const,
-  );
-  const far = (spans.length ? Math.max(...spans.map(([d, r]) => d + r)) : 1) * 1.01;
-  const tangent = Math.tan((camera.fov * Math.PI) / 180 / 2);
-  const corner = Math.sqrt(1 + tangent * tangent * (1 + aspect * aspect));
-  const nearest = spans.length ? Math.min(...spans.map(([d, r]) => d - r)) : 0;
-  const near = Math.max((nearest / corner) * 0.99, far * NEAREST);
-  const view = matrix.lookAt(matrix.subtract(camera.target, camera.eye), camera.up);
-  return matrix.multiply(matrix.perspective(camera.fov, aspect, near, far), view);
-}
-
-function lightFields(light: Light, eye: matrix.Vector): Fields {
+function lightFields(light: Light, eye: matrix.Triple): Fields {
   if (light.type === "directional") {
     const toLight = matrix.normalize(light.direction).map((c) => -c);
     return { intensity: light.color.map((c) => c * light.intensity), direction: toLight };
@@ -174,6 +223,7 @@ function materialFields(material: Material): Fields {
   const f0 = given.map((g, i) => g * (1 - metalness) + base[i]! * metalness);
   const alpha = Math.max(material.roughness * material.roughness, MIN_ALPHA);
   const shininess = material.shininess ?? Math.min(2 / (alpha * alpha) - 2, MAX_SHININESS);
+  const indices = f0.map((f) => indexOf(f, metalness));
   const kd = material.kd ?? base.map((b) => b * (1 - metalness));
   const ks = material.ks ?? f0.map((f) => (f * (shininess + 2)) / 8);
   return {
@@ -181,8 +231,32 @@ function materialFields(material: Material): Fields {
     metalness: [metalness],
     roughness: [material.roughness],
     f0,
+    eta: material.eta ?? indices.map(([eta]) => eta),
+    k: material.k ?? indices.map(([, k]) => k),
     kd: kd.map((k) => k / Math.PI),
     ks: ks.map((k) => k / Math.PI),
     shininess: [shininess],
+    dielectric_f0: given,
+    emissive: material.emissive,
+    opacity: [material.opacity],
+    alpha_cutoff: [material.alpha_cutoff],
+    normal_scale: [material.normal_scale],
+    occlusion_strength: [material.occlusion_strength],
   };
+}
+
+/**
+ * The complex index (eta, k) that reflects `f0` at normal incidence.
+ *
+ * Gulbrandsen 2014, Artist friendly metallic Fresnel, eqs. 11 and 13, its edge tint being the
+ * metalness: a dielectric is clear, k = 0. As shaders/lib/conductor.glsl, which says why in this
+ * form.
+ */
+function indexOf(f0: number, metalness: number): readonly [eta: number, k: number] {
+  const r = Math.min(f0, F0_MAX);
+  const s = Math.sqrt(r);
+  const clear = ((1 + s) * (1 + s)) / (1 - r);
+  const eta = clear * (1 - metalness) + ((1 - r) / (1 + r)) * metalness;
+  const k = ((2 * s) / (1 + r)) * Math.sqrt(metalness * (1 + (1 - metalness) * clear * clear));
+  return [eta, k];
 }

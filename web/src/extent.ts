@@ -1,0 +1,34 @@
+// How large a scene is: the reach of sliders and the pace of a walk.
+import type { Scene, SceneObject } from "./core/types";
+import { niceCeiling } from "./number";
+
+// More of a plane than this is only ground.
+const LARGEST = 12;
+
+interface Box {
+  low: readonly number[];
+  high: readonly number[];
+}
+
+/** Half the size of what there is to light, and some room around it, in metres. */
+export function extent(scene: Scene & { meshes?: Record<string, Box> }): number {
+  const far = Object.values(scene.objects).flatMap(
+    (thing: SceneObject & { mesh?: string | null }) => {
+      const box = scene.meshes?.[thing.mesh ?? ""];
+      const radius = box ? reach(box, thing.scale) : null;
+      return thing.position.map(
+        (c, axis) => Math.abs(c) + (radius ?? Math.min(thing.scale[axis] ?? 1, LARGEST) / 2),
+      );
+    },
+  );
+  const lights = Object.values(scene.lights).flatMap((light) =>
+    light.type === "directional" ? [] : light.position.map(Math.abs),
+  );
+  return niceCeiling(Math.max(1, ...far, ...lights));
+}
+
+/** Farthest that a scaled box comes from its origin, however it is turned. */
+function reach({ low, high }: Box, scale: readonly number[]): number {
+  const farthest = low.map((c, axis) => Math.max(Math.abs(c), Math.abs(high[axis] ?? 0)));
+  return Math.hypot(...farthest.map((c, axis) => c * (scale[axis] ?? 1)));
+}
