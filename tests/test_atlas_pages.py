@@ -19,7 +19,7 @@ from tests.support import driver, library
 
 SIZE = 24
 GGX = ("distributions/ggx.glsl", "distribution")
-FOLDERS = ("distributions/", "shadows/", "tonemaps/", "lib/")
+FOLDERS = ("distributions/", "maskings/none", "tonemaps/", "lib/")
 
 
 @pytest.fixture(scope="module")
@@ -52,7 +52,9 @@ def colors(picture: Pillow.Image) -> set[str]:
 
 
 def test_the_page_holds_all_that_it_shows(tmp_path: Path, maps: list[Map]) -> None:
-    chosen = [each for each in maps if each.sweep.file.startswith(("distributions/", "shadows/"))]
+    chosen = [
+        each for each in maps if each.sweep.file.startswith(("distributions/", "maskings/none"))
+    ]
     written = atlas_report.write(chosen, tmp_path / "out")
     assert sorted(p.name for p in (tmp_path / "out").iterdir()) == sorted(written)
     assert sorted(written) == ["distributions.png", "index.html", "textbook.png"]
@@ -60,7 +62,7 @@ def test_the_page_holds_all_that_it_shows(tmp_path: Path, maps: list[Map]) -> No
     assert not re.search(r"(src|href)=\"(?!data:|#)", page)
     assert "http" not in page
     assert len(pictures(page)) == 5
-    for word in (driver()[0], "GGX", "textbook", "None: shadow"):
+    for word in (driver()[0], "GGX", "textbook", "None: masking"):
         assert word in page
     assert set(re.findall(r'href="#([^"]+)"', page)) == set(
         re.findall(r'<figure id="([^"]+)"', page)
