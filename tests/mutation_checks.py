@@ -24,7 +24,9 @@ from lightbench import glsl, library
 from lightbench.assemble import Source
 from lightbench.golden import Golden
 from tests import (
+    functions,
     support,
+    test_extreme_surfaces,
     test_extremes,
     test_formulas,
     test_fresnels,
@@ -32,9 +34,14 @@ from tests import (
     test_guards,
     test_laws,
     test_limits,
+    test_opacity,
+    test_outlines,
     test_scene,
+    test_shadows,
+    test_surface_maps,
     test_textbook,
     test_toon,
+    test_views,
 )
 from tests.mutations import Mutant
 
@@ -50,6 +57,11 @@ class Check:
 
     name: str
     run: Callable[[Path, pytest.MonkeyPatch], None]
+
+    @property
+    def test(self) -> str:
+        """The test's name alone, `module.function`."""
+        return self.name.partition("[")[0]
 
 
 def cases(module: ModuleType, only: Sequence[str] = ()) -> Iterator[Check]:
@@ -107,6 +119,12 @@ FORMULAS = [
 LAWS = list(cases(test_laws))
 PICTURES = [
     *cases(test_golden, ["test_golden"]),
+    *(
+        check
+        for module in (test_views, test_surface_maps, test_opacity, test_outlines, test_shadows)
+        for check in cases(module)
+    ),
+    *cases(test_extreme_surfaces),
     *cases(test_scene, test_extremes.SCENE_LAWS),
     *cases(test_extremes, test_extremes.IMAGE_LAWS),
 ]
@@ -151,9 +169,10 @@ class Workbench:
         library._read_library.cache_clear()
 
     def ordered(self, mutant: Mutant, checks: Sequence[Check]) -> list[Check]:
-        """Without those that passed without reading the file."""
+        """Without those that passed without reading the file; what is named for it comes first."""
         seen = [c for c in checks if mutant.path in self.files.get(c.name, {mutant.path})]
-        return sorted(seen, key=lambda check: mutant.path not in check.name)
+        named = {test for (path, _), test in functions.ELSEWHERE.items() if path == mutant.path}
+        return sorted(seen, key=lambda c: (mutant.path not in c.name, c.test not in named))
 
     def fails(self, check: Check) -> bool:
         """Run a check on the folder as it is now, and note which of its files it reads."""
