@@ -412,11 +412,11 @@ def test_zero_length_normals_of_a_mesh(
     factor: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("LIGHTBENCH_SHADERS", str(no_normals(tmp_path, factor)))
-    for preset, given in [
+    for preset, chosen in [
         *((p, {}) for p in presets()),
         *(("box-room", {"model": m}) for m in MODELS),
     ]:
-        image = lb.render(preset, SIZE, **given)
+        image = lb.render(preset, SIZE, **chosen)
         assert_sound(image)
         assert image.linear.max() > 0.01
 
