@@ -32,6 +32,7 @@ DRAWN = [
     path
     for path in FILES
     if "main" in library().files[path].functions
+    or path.startswith("views/")
     or any(path == file for file, _ in functions.ELSEWHERE)
 ]
 
@@ -71,7 +72,9 @@ def outcomes(
 ) -> Iterator[tuple[Mutant, str | None, str | None]]:
     """(mutant, the check that fails, why none should) of those mutants that compile."""
     expected = EXPECTED_SURVIVORS.get(path, {})
-    checks = [*PICTURES, *FORMULAS, *LAWS] if path in DRAWN else [*FORMULAS, *LAWS, *PICTURES]
+    checks = [*FORMULAS, *LAWS]
+    if everything:
+        checks = [*PICTURES, *checks] if path in DRAWN else [*checks, *PICTURES]
     own = [check for check in FORMULAS if path in check.name]
     counted = 0
     for mutant in shuffled(path):
@@ -87,7 +90,13 @@ def outcomes(
         yield mutant, caught, why
 
 
-@pytest.mark.parametrize("path", FILES)
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """By default the files whose functions a test can call: pictures take minutes a file."""
+    if metafunc.function is test_a_broken_file_is_noticed:
+        everything = metafunc.config.getoption("--all-mutants")
+        metafunc.parametrize("path", FILES if everything else [f for f in FILES if f not in DRAWN])
+
+
 def test_a_broken_file_is_noticed(
     path: str, bench: Workbench, tally: Tally, everything: bool
 ) -> None:
