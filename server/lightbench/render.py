@@ -125,11 +125,11 @@ class Renderer:
         self.context.finish()
         start = time.perf_counter()
         for planned in plan["passes"]:
-            content = json.dumps([planned, plan["textures"]]) if planned["keep"] else ""
+            content = kept(planned, plan)
             key = id(targets[planned["target"]])
-            if not content or self._drawn.get(key) != content:
+            if not content or self._drawn.pop(key, None) != content:
                 self.draw(planned, programs, targets, textures)
-                self._drawn[key] = content
+            self._drawn[key] = content
         self.context.finish()
         milliseconds = (time.perf_counter() - start) * 1e3
         linear = read(targets[plan["outputs"]["linear"]], "f4")
@@ -263,6 +263,14 @@ class Renderer:
                 np.ascontiguousarray(data).tobytes()
             )
         return self._buffers[key, attribute]
+
+
+def kept(planned: PlannedPass, plan: Plan) -> str:
+    """All that the picture of a pass to keep depends on; of another pass, nothing."""
+    if not planned["keep"]:
+        return ""
+    programs = [plan["programs"][batch["program"]] for batch in planned["batches"]]
+    return json.dumps([planned, plan["textures"], programs])
 
 
 def set_uniform(program: moderngl.Program, name: str, value: list[float] | int) -> None:
