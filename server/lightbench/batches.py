@@ -102,9 +102,10 @@ def define_values(library: Library, resolved: Resolved) -> tuple[tuple[str, floa
         for name, parameter in file.meta.parameters.items()
         if parameter.kind in ("int", "bool") and name in resolved.values
     )
-    view = library.files[f"views/{resolved.choices['view']}.glsl"].meta
+    chosen = (f"{n}/{resolved.choices[f.setting]}.glsl" for n, f in library.folders.items())
+    signed = any(library.files[path].meta.signed for path in chosen)
     orthographic = resolved.scene.camera.projection == "orthographic"
-    return (*numbers, ("orthographic", float(orthographic)), ("signed", float(view.signed)))
+    return (*numbers, ("orthographic", float(orthographic)), ("signed", float(signed)))
 
 
 class Batches:
