@@ -14,7 +14,7 @@ import pytest
 import uvicorn
 from fastapi import FastAPI
 from numpy.typing import NDArray
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, Playwright, sync_playwright
 
 from lightbench.api import create_app
 from lightbench.paths import web_folder
@@ -63,11 +63,17 @@ def serving(app: FastAPI | None = None) -> Iterator[str]:
 @contextlib.contextmanager
 def browsing(backend: str) -> Iterator[Browser]:
     """Headless Chromium whose WebGL2 runs on `backend`."""
-    with sync_playwright() as playwright:
-        arguments = [*COMMON, *BACKENDS[backend]]
-        browser = playwright.chromium.launch(executable_path=chromium(), args=arguments)
+    with sync_playwright() as playwright, launched(playwright, backend) as browser:
         yield browser
-        browser.close()
+
+
+@contextlib.contextmanager
+def launched(playwright: Playwright, backend: str) -> Iterator[Browser]:
+    """One of several browsers at a time."""
+    arguments = [*COMMON, *BACKENDS[backend]]
+    browser = playwright.chromium.launch(executable_path=chromium(), args=arguments)
+    yield browser
+    browser.close()
 
 
 RENDER = """async ([scene, settings, size, attachment]) => {

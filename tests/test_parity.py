@@ -1,20 +1,22 @@
 """One picture: the browser renders what the offline renderer renders, on both ANGLE backends."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from functools import cache
 from itertools import product
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Page
+from playwright.sync_api import Page, sync_playwright
 
 import lightbench as lb
 from lightbench import render_plan
 from lightbench.compare import compare
 from lightbench.image import Image
 from lightbench.settings import Resolved, resolve
-from tests.browser import BACKENDS, browsing, render_in, serving
+from tests.browser import BACKENDS, launched, render_in, serving
 from tests.support import alternatives, assert_sound, library, planned, presets
 
 # Outlines are a smaller share of a larger picture; that share is what the 99.9 % are about.
@@ -29,13 +31,25 @@ def address() -> Iterator[str]:
         yield url
 
 
-@pytest.fixture(scope="module", params=list(BACKENDS))
-def page(request: pytest.FixtureRequest, address: str) -> Iterator[Page]:
-    with browsing(request.param) as browser:
-        page = browser.new_page()
-        page.goto(address)
-        page.evaluate("window.lightbench.ready")
-        yield page
+@pytest.fixture(scope="module")
+def pages(address: str) -> Iterator[Callable[[str], Page]]:
+    """The page on either backend, opened once: a parameter of this fixture would open it a test."""
+    with ExitStack() as stack:
+        playwright = stack.enter_context(sync_playwright())
+
+        @cache
+        def opened(backend: str) -> Page:
+            page = stack.enter_context(launched(playwright, backend)).new_page()
+            page.goto(address)
+            page.evaluate("window.lightbench.ready")
+            return page
+
+        yield opened
+
+
+@pytest.fixture(params=list(BACKENDS))
+def page(request: pytest.FixtureRequest, pages: Callable[[str], Page]) -> Page:
+    return pages(request.param)
 
 
 def cases() -> Iterator[tuple[str, dict[str, Any]]]:
@@ -175,14 +189,11 @@ def pictures() -> Iterator[tuple[str, str, dict[str, Any]]]:
         yield "swiftshader", "box-room", settings
 
 
-@pytest.mark.parametrize(
-    ("page", "scene", "settings"), list(pictures()), ids=str, indirect=["page"]
-)
+@pytest.mark.parametrize(("backend", "scene", "settings"), list(pictures()), ids=str)
 def test_same_picture(
-    request: pytest.FixtureRequest, page: Page, scene: str, settings: dict[str, Any]
+    pages: Callable[[str], Page], backend: str, scene: str, settings: dict[str, Any]
 ) -> None:
-    exact = request.node.callspec.params["page"] == "llvmpipe"
-    check(page, scene, settings, SMALL if exact else SIZE)
+    check(pages(backend), scene, settings, SMALL if backend == "llvmpipe" else SIZE)
 
 
 def test_same_sources(page: Page) -> None:
