@@ -1,10 +1,14 @@
-"""`make bench`: what a frame of the box room costs, offline and in Chromium, beside three.js."""
+"""`make bench`: what a frame of the box room costs, offline and in Chromium, beside three.js.
+
+And what a ray costs, beside Mitsuba 3.
+"""
 
 import argparse
 
 from bench.browser import AS_NEEDED, benching
 from bench.figures import Figure, table
 from bench.offline import frames, in_turn
+from bench.rays import report
 from bench.thesis import SETTINGS, comparison
 from tests.browser import BACKENDS
 
@@ -26,6 +30,7 @@ def main() -> None:
     print(table("box-room offline: ms per frame, median (quartiles)", rows))
     rows = in_turn("box-room", SETTINGS, SIZES[1], arguments.frames)
     print(comparison(f"{TABLE} offline: ms per frame, median (quartiles)", rows))
+    print(report())
     for backend in () if arguments.offline else BACKENDS:
         with benching(backend) as bench:
             for size in SIZES:

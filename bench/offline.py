@@ -10,7 +10,7 @@ from lightbench.plan import plan
 from lightbench.plan_types import Plan
 from lightbench.render import on_gl_thread, renderer
 
-__all__ = ["frames", "in_turn"]
+__all__ = ["frames", "in_turn", "times"]
 
 Settings = Mapping[str, float | str]
 WARM_UP = 5
@@ -19,8 +19,8 @@ ROUNDS = 8
 
 def frames(scene: str, settings: Settings, size: tuple[int, int], count: int) -> Figure:
     """`count` frames of one plan, after a warm-up that compiles."""
-    times = _times(_planned(scene, settings, size), count)
-    return Figure(str(settings.get("model")), size, times, on_gl_thread(lambda: renderer().name))
+    made = times(_planned(scene, settings, size), count)
+    return Figure(str(settings.get("model")), size, made, on_gl_thread(lambda: renderer().name))
 
 
 def in_turn(
@@ -31,19 +31,19 @@ def in_turn(
     A map of a light that nothing moves is drawn once, in the warm-up.
     """
     plans = {name: _planned(scene, given, size) for name, given in settings.items()}
-    times: dict[str, list[float]] = {name: [] for name in plans}
+    found: dict[str, list[float]] = {name: [] for name in plans}
     for _ in range(ROUNDS):
         for name, made in plans.items():
-            times[name].extend(_times(made, -(-count // ROUNDS)))
+            found[name].extend(times(made, -(-count // ROUNDS)))
     ran_on = on_gl_thread(lambda: renderer().name)
-    return [Figure(name, size, values, ran_on, ROUNDS) for name, values in times.items()]
+    return [Figure(name, size, values, ran_on, ROUNDS) for name, values in found.items()]
 
 
 def _planned(scene: str, settings: Settings, size: tuple[int, int]) -> Plan:
     return plan(read_library(shaders_folder()), lb.load(scene), settings, size)
 
 
-def _times(made: Plan, count: int) -> list[float]:
+def times(made: Plan, count: int) -> list[float]:
     """Milliseconds of each frame after the warm-up."""
 
     def run() -> list[float]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from lightbench.exact.directions import unit
 from lightbench.front_matter import Choice
+from tests.ray_arguments import RAYS
 from tests.samples import (
     COUNT,
     ODD,
@@ -31,7 +32,7 @@ UNITS = tuple(single(uniform(0.01, 1.0, COUNT, k)[:, 0]) for k in (2, 3, 4, 5))
 GRAZING = pairs()
 TOWARDS = rays(10.0 ** uniform(-2.0, 4.0), uniform(0.0, 1.4, COUNT, 1)[:, 0])
 # Towards a sphere and away from it, from outside and from inside.
-RAYS = (np.tile(TOWARDS[0], (2, 1)), np.concatenate([TOWARDS[1], -TOWARDS[1]]), *TOWARDS[2:])
+SPHERE_RAYS = (np.tile(TOWARDS[0], (2, 1)), np.concatenate([TOWARDS[1], -TOWARDS[1]]), *TOWARDS[2:])
 # Dark, bright and nearly white, for every share from clear to metal and both ends many times.
 REFLECTANCES = single(
     np.concatenate([10.0 ** uniform(-8.0, -0.01, COUNT, 3), uniform(0.9, 0.998, COUNT, 3)])
@@ -52,9 +53,27 @@ ACROSS = single(
 )
 ACROSS = ACROSS[np.abs(ACROSS).max(axis=1) > 0.0]
 NEIGHBOURS = tuple(single(uniform(-2.0, 2.0, COUNT, 4) + 0.1 * k) for k in range(8))
+# Around the ray or not, before its origin and behind it, either way round; with a corner or an edge
+# on the ray, from both sides, and seen edge-on.
+ON_RAY = np.array(
+    [[[0, 0, 1], [1, 0, 2], [0, 1, 3]], [[0, 0, 1], [0, 1, 3], [1, 0, 2]],
+     [[-1, 0, 1], [1, 0, 2], [0, 1, 3]], [[-1, 0, 1], [0, 1, 3], [1, 0, 2]],
+     [[-1, 0, 1], [1, 0, 2], [2, 0, 3]], [[-1, -1, 0], [1, -1, 0], [0, 1, 0]]], np.float64,
+)  # fmt: skip
+CORNERS = tuple(
+    single(np.concatenate([uniform(-1.0, 1.0, COUNT, 3 * k)[:, :3] + middle, ON_RAY[:, k - 1]]))
+    for k, middle in enumerate(((0.8, 0.0, 0.8), (-0.4, 0.7, 0.8), (-0.4, -0.7, 0.8)), 1)
+)
+# Points around a square and inside it, on its corners and in its middle; its sides, short and long.
+POINTS = single([*uniform(-2.0, 2.0, COUNT, 2), [0, 0], [1, 1], [1, 0]])
+SIDES = tuple(
+    single([*uniform(-1.0, 1.0, COUNT, 4)[:, k : k + 2], [1e-6, 0], *np.eye(2)]) for k in (0, 2)
+)
 # Arguments for the functions that a folder allows beside those of its contract, by name.
 OTHERS: dict[str, Callable[[], Arguments]] = {
     "inspect": lambda: (material(uniform(0.0, 1.0), [1.0]) | {"base_color": single(UNIT_COLORS)},),
+    "mapping": lambda: (FACING * single(10.0 ** uniform(-6.0, 6.0, len(FACING), 1)),),
+    "modulated": lambda: (single(uniform(0.0, 9.0, COUNT, 3)), single(UNIT_COLORS)),
     "reflected": lambda: interior("models", Choice()),
     "seen": lambda: (single(uniform(0.0, 1.0)),),
     "shift": lambda: (UNITS[0], single([*UNITS[1][:-2], 1.0, 1.0 - 2.0**-24])),
@@ -67,6 +86,7 @@ OTHERS: dict[str, Callable[[], Arguments]] = {
 
 # Arguments for the functions of lib/, by file and name.
 LIB: dict[tuple[str, str], Callable[[], Arguments]] = {
+    **RAYS,
     ("alpha", "alphaFromRoughness"): lambda: (single([0.0, 1e-3, 0.01, 0.3, 1.0]),),
     ("base", "blendWithBase"): lambda: (BASE, single(uniform(0.0, 2.0, COUNT, 3))),
     ("base", "overBase"): lambda: (
@@ -108,16 +128,27 @@ LIB: dict[tuple[str, str], Callable[[], Arguments]] = {
     ("specular_power", "specularPower"): lambda: (
         single([*np.cos(ANGLES), 0, 0, -1, -1, 1]), single([*np.sin(ANGLES) ** 2, 1, 1, 0, 0, 0]),
         single([*EXPONENTS, 0, 1, 0, 1, 1e6])),
-    ("sphere", "sphereHit"): lambda: RAYS,
+    ("sphere", "sphereHit"): lambda: SPHERE_RAYS,
     ("spot", "spot"): lambda: (
         single([*uniform(-1.0, 1.0), 0.5, 0.5, 0.4999, 1, 1, -1]),
         single([*uniform(0.0, 1.0, COUNT, 1)[:, 0], 0.5, 0.2, 0.5, 1, 0, -1]),
         single([*uniform(-1.0, 0.0, COUNT, 1)[:, 0], 0.5, 0.5, 0.5, 1, 0, -1])),
+    ("strokes", "circleDistance"): lambda: (POINTS, SIDES[0]),
+    ("strokes", "lineDistance"): lambda: (POINTS, SIDES[0]),
+    ("strokes", "segmentDistance"): lambda: (POINTS, SIDES[0]),
+    ("strokes", "squareDistance"): lambda: (POINTS, *SIDES),
+    ("strokes", "strokeCoverage"): lambda: (
+        single([*uniform(0.0, 3.0, COUNT, 2)[:, 0], 0, 1.5]),
+        single([*uniform(1.0, 4.0, COUNT, 2)[:, 1], 1, 2])),
     ("tangent", "mappedNormal"): lambda: (
         FACING, single(np.c_[VIEWS, np.resize([1.0, -1.0], len(VIEWS))]),
         single([*CODES[1:], [128 / 255, 128 / 255, 1.0]]),
         single(uniform(0.0, 4.0, len(FACING), 1)[:, 0])),
     ("tangent", "unpackNormal"): lambda: (
         single(CODES[:COUNT]), single(uniform(0.0, 4.0, COUNT, 1)[:, 0])),
+    ("watertight", "cornersHit"): lambda: CORNERS,
+    ("watertight", "edgeSide"): lambda: (CORNERS[0][:, :2], CORNERS[1][:, :2]),
+    ("watertight", "projected"): lambda: (
+        {"across": VIEWS, "up": FACING, "along": NEIGHBOURS[0][:1, :3]}, FACING[::-1].copy()),
     ("tone", "hasTone"): lambda: (single([0.0, -1.0, 1.0, math.nan, math.inf, -math.inf, 1e38]),),
 }  # fmt: skip

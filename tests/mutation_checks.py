@@ -26,22 +26,26 @@ from lightbench.golden import Golden
 from tests import (
     functions,
     support,
+    test_bvh,
     test_extreme_surfaces,
     test_extremes,
     test_formulas,
     test_fresnels,
     test_golden,
     test_guards,
+    test_lab_scenes,
     test_laws,
     test_limits,
     test_opacity,
     test_outlines,
+    test_ray_shapes,
     test_scene,
     test_shadows,
     test_surface_maps,
     test_textbook,
     test_toon,
     test_views,
+    test_whitted,
 )
 from tests.mutations import Mutant
 
@@ -113,7 +117,15 @@ def runner(
 
 FORMULAS = [
     check
-    for module in (test_formulas, test_fresnels, test_guards, test_limits, test_textbook, test_toon)
+    for module in (
+        test_formulas,
+        test_fresnels,
+        test_guards,
+        test_limits,
+        test_ray_shapes,
+        test_textbook,
+        test_toon,
+    )
     for check in cases(module)
 ]
 LAWS = list(cases(test_laws))
@@ -125,6 +137,9 @@ PICTURES = [
         for check in cases(module)
     ),
     *cases(test_extreme_surfaces),
+    *cases(test_bvh, test_bvh.TRACED),
+    *cases(test_lab_scenes),
+    *cases(test_whitted),
     *cases(test_scene, test_extremes.SCENE_LAWS),
     *cases(test_extremes, test_extremes.IMAGE_LAWS),
 ]

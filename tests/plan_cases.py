@@ -10,6 +10,7 @@ import lightbench as lb
 from lightbench.front_matter import Parameter
 from lightbench.materials import materials
 from lightbench.scene import Scene
+from tests.part_cases import flat_scenes, part_settings, random_parts
 from tests.support import library, presets
 
 # Scene, settings, size, and the attachment if it is not the picture.
@@ -19,6 +20,8 @@ Case = (
 SIZE = (64, 48)
 RANDOM_CASES = 200
 RANDOM_SCENES = 40
+# Of images, which are layers of one texture where they are alike.
+SIZES = ("512x512", "512x256")
 SLOTS = ("base_color", "roughness", "metalness", "normal", "emissive", "occlusion")
 
 
@@ -63,6 +66,14 @@ def angles(chance: random.Random) -> list[float]:
     return [chance.choice([0, 30, 45, 60, 90, 180, chance.uniform(-360, 360)]) for _ in range(3)]
 
 
+def shape_settings(chance: random.Random, at: str) -> dict[str, Any]:
+    """Another shape, with corners where it has some."""
+    shape = chance.choice(["plane", "cube", "sphere", "cone", "triangle"])
+    none = chance.choice([None, "auto"])
+    corners = [vector(chance, 3) for _ in range(3)] if shape == "triangle" else none
+    return {f"{at}.shape": shape, f"{at}.corners": corners}
+
+
 def surface_settings(chance: random.Random, at: str) -> dict[str, Any]:
     """What a material is beyond its colour: how it lets light through, and its own choices."""
     menu = library()
@@ -75,6 +86,9 @@ def surface_settings(chance: random.Random, at: str) -> dict[str, Any]:
         f"{at}.emissive": chance.choice([[0, 0, 0], color(chance)]),
         f"{at}.normal_scale": chance.uniform(0, 4),
         f"{at}.occlusion_strength": chance.random(),
+        f"{at}.ambient": chance.choice([[0, 0, 0], color(chance)]),
+        f"{at}.reflectance": chance.choice([0, chance.random()]),
+        f"{at}.transmittance": chance.choice([0, 0, chance.random()]),
     }
     for name, folder in menu.folders.items():
         if folder.per == "material" and chance.random() < 0.3:
@@ -90,6 +104,8 @@ def scene_settings(chance: random.Random, there: Scene) -> dict[str, Any]:
         edits["camera.fov"] = chance.uniform(1, 170)
         edits["camera.projection"] = chance.choice(["perspective", "orthographic"])
         edits["camera.height"] = chance.uniform(0.01, 100)
+        edits["camera.fov_of"] = chance.choice(["height", "width"])
+        edits["camera.mirrored"] = chance.choice([True, "off"])
         edits["camera.light"] = chance.choice(["auto", None, *there.lights])
     for name, light in there.lights.items():
         edits[f"lights.{name}.intensity"] = chance.uniform(0, 1000)
@@ -102,6 +118,16 @@ def scene_settings(chance: random.Random, there: Scene) -> dict[str, Any]:
             edits[f"lights.{name}.outer"] = chance.choice([light.inner, 75, 75.5, 180])
         if light.type != "directional":
             edits[f"lights.{name}.unit"] = chance.choice(["candela", "lumen"])
+    if there.objects:
+        edits |= object_settings(chance, there)
+    if there.parts:
+        edits |= part_settings(chance, there)
+    return edits
+
+
+def object_settings(chance: random.Random, there: Scene) -> dict[str, Any]:
+    """Edits of a material and of an object."""
+    edits: dict[str, Any] = {}
     name = chance.choice(sorted(there.materials))
     edits[f"materials.{name}.roughness"] = chance.random()
     edits[f"materials.{name}.metalness"] = str(chance.random())
@@ -115,7 +141,7 @@ def scene_settings(chance: random.Random, there: Scene) -> dict[str, Any]:
     edits[f"objects.{name}.rotation"] = angles(chance)
     edits[f"objects.{name}.scale"] = chance.choice(["2", chance.uniform(0.1, 5), "1,2,0.5"])
     if there.objects[name].mesh is None:
-        edits[f"objects.{name}.shape"] = chance.choice(["plane", "cube", "sphere", "cone"])
+        edits |= shape_settings(chance, f"objects.{name}")
     return edits
 
 
@@ -123,14 +149,17 @@ def random_cases() -> Iterator[Case]:
     chance = random.Random(20240229)
     for _ in range(RANDOM_CASES):
         name = chance.choice(presets())
-        settings = {**menu_settings(chance), **scene_settings(chance, lb.load(name))}
+        there = lb.load(name)
+        settings = menu_settings(chance) | scene_settings(chance, there)
         yield name, settings, (chance.randint(1, 2000), chance.randint(1, 2000))
 
 
 def library_cases() -> Iterator[Case]:
     """Materials of the library, alone and under other edits in either order."""
     for name, other in itertools.product(presets(), materials()):
-        material = next(iter(lb.load(name).materials))
+        material = next(iter(lb.load(name).materials), None)
+        if material is None:
+            continue
         at = f"materials.{material}"
         yield name, {f"{at}.library": other}, SIZE
         more = {f"{at}.f0": [0.3, 0.2, 0.1], f"{at}.shininess": "auto"}
@@ -162,7 +191,7 @@ def random_scene(chance: random.Random) -> Scene:
     data: Any = lb.load(chance.choice(presets())).data()
     for name in ("bricks", "cloth", "dents"):
         data["textures"][name] = {
-            "image": f"image-{chance.randrange(1 << 128):032x}",
+            "image": f"image-{chance.choice(SIZES)}-{chance.randrange(1 << 128):032x}",
             "encoding": chance.choice(["srgb", "linear"]),
             "wrap": [chance.choice(["repeat", "clamp", "mirror"]) for _ in range(2)],
             "filter": chance.choice(["linear", "nearest"]),
@@ -180,10 +209,26 @@ def random_scene(chance: random.Random) -> Scene:
         slots = chance.sample(SLOTS, k=chance.randint(0, len(SLOTS)))
         material["maps"] = {slot: random_map(chance) for slot in slots}
         material["kd"] = chance.choice([None, [0.1, 0.2, 0.3]])
+    data["camera"] |= {
+        "fov_of": chance.choice(["height", "width"]),
+        "mirrored": chance.random() < 0.5,
+    }
+    meshes = chance.random() < 0.5
     for thing in data["objects"].values():
-        if chance.random() < 0.3:
-            thing |= {"shape": "mesh", "mesh": chance.choice(["statue", "table"])}
+        thing |= random_shape(chance, meshes=meshes)
+    if chance.random() < 0.5:
+        data["parts"] = random_parts(chance)
     return Scene.parse(data)
+
+
+def random_shape(chance: random.Random, *, meshes: bool) -> dict[str, Any]:
+    """What makes an object a mesh or a triangle; nothing for most."""
+    if meshes and chance.random() < 0.3:
+        return {"shape": "mesh", "mesh": chance.choice(["statue", "table"]), "corners": None}
+    if chance.random() < 0.2:
+        corners = [[chance.uniform(-2, 2) for _ in range(3)] for _ in range(3)]
+        return {"shape": "triangle", "corners": corners, "mesh": None}
+    return {}
 
 
 @cache
@@ -204,7 +249,18 @@ def crowd() -> Scene:
 @cache
 def scenes() -> dict[str, Scene]:
     """Every scene of the cases: the presets, the random ones and the crowd."""
-    return {**{name: lb.load(name) for name in presets()}, **random_scenes(), "crowd": crowd()}
+    every = {name: lb.load(name) for name in presets()}
+    return {**every, **random_scenes(), **flat_scenes(), "crowd": crowd()}
+
+
+def part_cases() -> Iterator[Case]:
+    """The robot and every scene of parts alone, as they are and under settings."""
+    chance = random.Random(8)
+    for name, there in {"lab/robot": lb.load("lab/robot"), **flat_scenes()}.items():
+        yield name, {}, (chance.randint(1, 2000), chance.randint(1, 2000))
+        for _ in range(4):
+            settings = menu_settings(chance) | part_settings(chance, there)
+            yield name, settings, (chance.randint(1, 2000), chance.randint(1, 2000))
 
 
 def random_scene_cases() -> Iterator[Case]:
@@ -213,4 +269,5 @@ def random_scene_cases() -> Iterator[Case]:
     for name, there in random_scenes().items():
         yield name, {}, SIZE
         for _ in range(2):
-            yield name, {**menu_settings(chance), **scene_settings(chance, there)}, SIZE
+            settings = menu_settings(chance)
+            yield name, settings | scene_settings(chance, there), SIZE

@@ -6,6 +6,26 @@ from typing import Any
 import lightbench as lb
 from tests.plan_cases import SIZE, Case
 
+CORNERS = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+WRONG_CORNERS: list[Any] = [
+    None,
+    "auto",
+    "0,0,0",
+    5,
+    True,
+    [],
+    CORNERS[:2],
+    [*CORNERS, [1, 1, 1]],
+    [0, 1, 2],
+    [[0, 0, 0], [1, 0, 0], [0, 1]],
+    [[0, 0, 0], [1, 0, 0], [0, 1, 0, 2]],
+    [[0, 0, 0], "1,0", [0, 1, 0]],
+    [[0, 0, 0], "1,0,x", [0, 1, 0]],
+    [[0, 0, 0], [1, 0, 0], [0, "x", 0]],
+    [[0, 0, 0], [1, 0, 0], [0, 1e7, 0]],
+    [[0, 0, 0], None, [0, 1, 0]],
+    [[0, 0, 0], "auto", [0, 1, 0]],
+]
 MISTAKES: list[dict[str, Any]] = [
     {"model": "fong"},
     {"model": 3},
@@ -104,6 +124,59 @@ MISTAKES: list[dict[str, Any]] = [
     {"objects.OBJECT.scale": "x"},
     {"objects.OBJECT.rotation": "0,0,400"},
     {"background.color": 1},
+    {"camera.fov_of": "diagonal"},
+    {"camera.fov_of": None},
+    {"camera.mirrored": "maybe"},
+    {"camera.mirrored": 2},
+    {"materials.MATERIAL.ambient": [0, 0.5, 2]},
+    {"materials.MATERIAL.ambient": "auto"},
+    {"materials.MATERIAL.reflectance": 1.5},
+    {"materials.MATERIAL.reflectance": -0.1},
+    {"materials.MATERIAL.reflectance": "all"},
+    {"materials.MATERIAL.reflectance": None},
+    *({"materials.MATERIAL.transmittance": value} for value in (1.5, -0.1, "all", None)),
+    *({"materials.MATERIAL.mapping": value} for value in ("Lab", None)),
+    {"objects.OBJECT.shape": "triangle"},
+    {"objects.OBJECT.corners": CORNERS},
+    *({"objects.OBJECT.shape": "triangle", "objects.OBJECT.corners": c} for c in WRONG_CORNERS),
+    {"objects.OBJECT.shape": "triangle", "objects.OBJECT.corners": CORNERS, "technique": "paint"},
+]
+
+# Of the robot's parts: the elbow hangs on the shoulder, which hangs on the torso.
+WRONG_PARTS: list[dict[str, Any]] = [
+    {"parts.tail.rotation": 5},
+    {"parts.torso": 5},
+    {"parts.torso.spin": 5},
+    {"parts.torso.shape": "triangle"},
+    {"parts.torso.parent": "tail"},
+    {"parts.torso.parent": "Tail"},
+    {"parts.torso.parent": 3},
+    {"parts.torso.parent": "torso"},
+    {"parts.torso.parent": "left_elbow"},
+    {"parts.left_shoulder.parent": "left_hand"},
+    {"parts.torso.rotation": 361},
+    {"parts.torso.rotation": "far"},
+    {"parts.torso.rotation": "1,2,3"},
+    {"parts.torso.rotation": None},
+    {"parts.torso.position": 5},
+    {"parts.torso.position": "1"},
+    {"parts.torso.position": "1,2,3"},
+    {"parts.torso.position": "1,x"},
+    {"parts.torso.position": [1]},
+    {"parts.torso.position": [1, 2, 3]},
+    {"parts.torso.position": [1, 1e7]},
+    {"parts.torso.position": None},
+    {"parts.torso.scale": 0},
+    {"parts.torso.scale": [1, -1]},
+    {"parts.torso.scale": "x"},
+    {"parts.torso.scale": "1,2,3"},
+    {"parts.dial.scale": [1, 2]},
+    {"parts.torso.shape": "circle"},
+    {"parts.torso.color": "#12"},
+    {"parts.torso.color": [0, -1, 0]},
+    {"parts.torso.width": 0.5},
+    {"parts.torso.width": 65},
+    {"objects.torso.rotation": 5},
 ]
 
 
@@ -121,5 +194,7 @@ def mistakes() -> Iterator[Case]:
             {".".join(names.get(p, p) for p in k.split(".")): v for k, v in settings.items()},
             SIZE,
         )
+    for settings in WRONG_PARTS:
+        yield "lab/robot", settings, SIZE
     yield "box-room", {}, (0, 1)
     yield "box-room", {}, (1, 20000)

@@ -132,9 +132,17 @@ BIASED_EXTREMES = (
     (0.0, 1e-7, 0.1, 0.5, 1.0 - 2.0**-24, 1.0, 1.0000001),
 )  # fmt: skip
 PIXELS = single(list(itertools.product((0.0, 1.0, 4095.0), repeat=2)))
+# Codes off every level and threshold of 64 a level, and the ends; in pixels anywhere.
+STEPS = np.arange(1, 3 * COUNT + 1).reshape(COUNT, 3)
+CODES: Arguments = (
+    single((STEPS % 255 + (STEPS % 63 + 1 + uniform(-0.25, 0.25, COUNT, 3)) / 64.0) / 255.0),
+    single(np.floor(uniform(0.0, 4096.0, COUNT, 2))),
+)
+CODE_ENDS: Arguments = (single([[0.0, 1.0, 0.0]]), PIXELS)
 LIT_POINTS: Arguments = (
     single([0.0]),
     {"position": single(uniform(-5.0, 5.0, COUNT, 3)), "normal": single([[0.0, 1.0, 0.0]]),
+     "toLight": single([[0.0, 1.0, 0.0]]), "distance": single([1.0]), "object": single([0.0]),
      "NoL": single(uniform(0.0, 1.0)), "gap": single([0.0])},
 )  # fmt: skip
 
@@ -157,6 +165,7 @@ def interior(folder: str, meta: Choice) -> Arguments:
         "attenuations": (single(random.uniform(0.0, 50.0, COUNT)), light),
         "shadows": LIT_POINTS,
         "outlines": (PIXELS,),
+        "quantisations": CODES,
         "biases": tuple(single(uniform(*ends, COUNT, k)[:, 0]) for k, ends in enumerate(BIASED, 1)),
         "ambients": (m,),
     }.get(folder, (colors,))
@@ -185,6 +194,7 @@ def extremes(folder: str, meta: Choice) -> Arguments:
         "attenuations": (distances if len(light) > 1 else single(DISTANCES), light),
         "shadows": LIT_POINTS,
         "outlines": (PIXELS,),
+        "quantisations": CODE_ENDS,
         "biases": tuple(single(list(itertools.product(*BIASED_EXTREMES))).T),
         "ambients": (m,),
     }.get(folder, (colors,))

@@ -19,13 +19,14 @@ from hypothesis import strategies as st
 from PIL import Image as Pillow
 
 import lightbench as lb
-from lightbench import answers, api, errors, pictures
+from lightbench import answers, api, bvh, errors, pictures
 from lightbench.api import create_app
 from lightbench.library import read_library
 from lightbench.paths import scenes_folder, shaders_folder
 from lightbench.render import on_gl_thread
 from lightbench.scene import Camera
 from lightbench.scene_file import scene_names
+from lightbench.shapes import mesh
 from tests.support import copy_of_shaders
 
 SMALL = {"width": "32", "height": "24"}
@@ -293,13 +294,27 @@ def test_etag_follows_all_that_the_picture_depends_on(
 @pytest.mark.parametrize(
     "url",
     ["/api/scenes", "/api/scenes/box-room", "/api/options", "/data/manifest.json",
-     "/data/thumbs/box-room.png", "/data/meshes/cube.bin"],
+     "/data/thumbs/box-room.png", "/data/meshes/cube.bin", "/data/hierarchies/cube.bin"],
 )  # fmt: skip
 def test_other_answers_are_compared_too(client: TestClient, url: str) -> None:
     first = client.get(url)
     assert first.status_code == 200
     again = client.get(url, headers={"If-None-Match": first.headers["etag"]})
     assert (again.status_code, again.content) == (304, b"")
+
+
+def test_hierarchies_are_what_rays_read(client: TestClient) -> None:
+    found = client.get("/data/hierarchies/cube.bin")
+    assert found.headers["content-type"] == "application/octet-stream"
+    texels = np.frombuffer(found.content, "<i4").reshape(-1, 4)
+    assert np.array_equal(texels, bvh.bake(mesh("cube")))
+
+
+@pytest.mark.parametrize("key", ["cuboid", "mesh-0", "icosphere-99"])
+def test_unknown_meshes_have_no_hierarchy(client: TestClient, key: str) -> None:
+    found, other = (client.get(f"/data/{kind}/{key}.bin") for kind in ("hierarchies", "meshes"))
+    assert found.status_code == other.status_code == 404
+    assert found.json() == other.json()
 
 
 def test_json_is_compressed_and_pictures_are_not(client: TestClient) -> None:

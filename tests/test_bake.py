@@ -10,11 +10,12 @@ from fastapi.testclient import TestClient
 import lightbench as lb
 from lightbench import bake as baking
 from lightbench.api import create_app
-from lightbench.bake import bake, mesh_keys
+from lightbench.bake import bake, hierarchy_keys, mesh_keys
 from lightbench.errors import LightbenchError
 from lightbench.library import read_library
 from lightbench.paths import shaders_folder
 from lightbench.plan import plan
+from lightbench.settings import Setting
 from tests.support import presets
 
 
@@ -76,10 +77,22 @@ def test_every_mesh_of_a_plan_is_there(baked: Path) -> None:
     meshes = {path.stem for path in (baked / "data/meshes").iterdir()}
     for name in presets():
         for error in (0.01, 0.1, 4.0):
-            planned = plan(library, lb.load(name), {"sphere_error": error}, (640, 480))
+            settings: dict[str, Setting] = {"sphere_error": error, "technique": "raster"}
+            planned = plan(library, lb.load(name), settings, (640, 480))
             draws = [d for p in planned["passes"] for b in p["batches"] for d in b["draws"]]
             assert {draw["mesh"] for draw in draws} - {None} <= meshes
     assert meshes == set(mesh_keys([lb.load(name) for name in presets()]))
+
+
+def test_every_hierarchy_of_a_plan_is_there(baked: Path) -> None:
+    library = read_library(shaders_folder())
+    wanted: set[str] = set()
+    for name in presets():
+        tables = plan(library, lb.load(name), {"technique": "whitted"}, (64, 48))["tables"]
+        wanted |= {key for table in tables.values() for key in table["meshes"]}
+    assert wanted
+    there = {path.stem for path in (baked / "data/hierarchies").iterdir()}
+    assert wanted <= there == set(hierarchy_keys([lb.load(name) for name in presets()]))
 
 
 def test_an_earlier_bake_is_replaced_whole(baked: Path) -> None:

@@ -29,6 +29,13 @@ DIFFERENCES: dict[tuple[str, str], Callable[..., Any]] = {
         ((f"biases/{name}.glsl", "compared") for name in library().choices("biases")),
         lambda distance, far, reach, NoL, **_: (distance / far) ** 2 + 0.02,
     ),
+    **dict.fromkeys(
+        (
+            *((f"mappings/{name}.glsl", "mapping") for name in ("lab", "spherical")),
+            *((f"views/dir_{axis}.glsl", "view") for axis in "xyz"),
+        ),
+        lambda vector: np.ones((1, 1)),
+    ),
     ("views/depth.glsl", "view"): lambda radiance, depth_range=10.0: (
         1.0 + radiance[:, :1] / depth_range
     ),
@@ -68,7 +75,8 @@ def variants(path: str) -> list[dict[str, Any]]:
 TABLES = {
     "distributions": "DISTRIBUTIONS of facets", "maskings": "MASKINGS of facets",
     "fresnels": "FRESNELS of facets", "tonemaps": "TONEMAPS of display",
-    "transfers": "TRANSFERS of display", "views": "VIEWS or HOOKS of views",
+    "transfers": "TRANSFERS of display", "quantisations": "QUANTISATIONS of display",
+    "views": "VIEWS or HOOKS of views",
 }  # fmt: skip
 
 
@@ -158,7 +166,12 @@ def alternatives(path: str, function: str) -> list[dict[str, Any]]:
     menu = library()
     own = menu.folders[path.split("/")[0]].setting
     found = [s for s in functions.source(path, function).settings if s != own]
-    return [{s: choice} for s in found for choice in menu.stable(menu.folder_of(s))]
+    every = [(s, choice) for s in found for choice in menu.stable(menu.folder_of(s))]
+    return [
+        {s: choice}
+        for s, choice in every
+        if not functions.of_scenes(functions.source(path, function, {s: choice}))
+    ]
 
 
 @pytest.mark.parametrize(("path", "function"), HOOKS)
@@ -194,13 +207,21 @@ def test_narrow_lobes_keep_their_shape(name: str) -> None:
         assert off.max() <= (1e-3 if alpha < 1e-3 else 1e-4), alpha
 
 
-# Vectors, whose components are judged by a length of 1, as Lambda is by the 1 that it is added to.
+# Vectors, whose components are judged by a length of 1, and distances of points about it; as Lambda
+# is by the 1 that it is added to.
 OF_LENGTH = (
+    "lib/cone.glsl",
     "lib/cube.glsl",
     "lib/disk.glsl",
     "lib/frame.glsl",
     "lib/heat.glsl",
+    "lib/longitude.glsl",
+    "lib/ray.glsl",
+    "lib/shapes.glsl",
+    "lib/strokes.glsl",
     "lib/tangent.glsl",
+    "lib/triangle.glsl",
+    "lib/watertight.glsl",
 )
 # An angle of 63 turns of the disk is rounded by 8e-6, and so is 63 times the golden angle.
 GATES = {"specularPower": POWER, "diskPoint": 3e-5}
@@ -263,6 +284,9 @@ MUTATIONS = [
     ("transfers/gamma.glsl", "1.0 / u_gamma", "u_gamma"),
     ("transfers/srgb.glsl", "12.92", "12.29"),
     ("transfers/srgb_pow.glsl", "1.0 / 2.4", "1.0 / 2.2"),
+    ("quantisations/ordered.glsl", "(b & 2) << 1", "(a & 2) << 1"),
+    ("quantisations/round.glsl", "return code", "return 0.5 * code"),
+    ("quantisations/truncate.glsl", "255.0 * code", "255.0 * code + 0.5"),
     ("biases/constant.glsl", "share * share", "share"),
     ("biases/normal_offset.glsl", "share * share", "share"),
     ("biases/slope.glsl", "distance - slopeBias", "distance + slopeBias"),

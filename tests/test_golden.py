@@ -22,6 +22,7 @@ WITH: dict[str, dict[str, Setting]] = {
     "bias": {"shadow": "hard", "shadow_resolution": 256},
     "outline": {"model": "toon"},
     "shadow": {"shadow_resolution": 512},
+    "technique": {"shadow": "ray"},
 }
 # As do these views.
 VIEWED: dict[str, dict[str, Setting]] = {
@@ -29,6 +30,8 @@ VIEWED: dict[str, dict[str, Setting]] = {
     "light_depth": {"depth_light": 1, "shadow_resolution": 256},
     "shadow": {"shadow": "pcf", "shadow_resolution": 512},
 }
+# Folders that another scene shows.
+SHOWN_IN = {"mapping": "texture-compare"}
 Case = tuple[str, dict[str, Setting]]
 
 
@@ -41,7 +44,8 @@ def cases() -> dict[str, Case]:
         for choice in (each for each in menu.choices(name) if each != plain):
             more = VIEWED.get(choice, {}) if folder.setting == "view" else WITH.get(folder.setting)
             settings = {**(more or {}), folder.setting: choice}
-            found[f"{ROOM}.{folder.setting}-{choice}"] = (ROOM, settings)
+            scene = SHOWN_IN.get(folder.setting, ROOM)
+            found[f"{scene}.{folder.setting}-{choice}"] = (scene, settings)
     return found
 
 

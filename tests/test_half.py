@@ -12,6 +12,8 @@ from lightbench.batches import light_lists
 from lightbench.errors import ShaderError
 from lightbench.glsl import call
 from lightbench.half import HALF, halved
+from lightbench.scene import Scene
+from lightbench.traced import UNTRACED, UNTRACED_LISTS, scene_defines
 from tests.samples import single
 from tests.support import copy_of_shaders, library
 
@@ -157,9 +159,11 @@ def test_every_file_is_halved_on_its_own_lines() -> None:
     found = library()
     names = {f.setting: f.default for f in found.folders.values()}
     values = {n: 0.0 for file in found.files.values() for n in file.meta.parameters}
-    values |= {"draws_objects": 1.0, "orthographic": 0.0, "signed": 0.0}
+    values |= {**UNTRACED, "draws_objects": 1.0, "orthographic": 0.0, "signed": 0.0}
+    values |= dict(scene_defines(Scene(materials={}, objects={})))
     lamp = {"index": "0", "point": "1", "directional": "0", "spot": "0", "positional": "1"}
     lists = light_lists((tuple({**lamp, "casts": "1", "cube": "1"}.items()),))
+    lists |= dict.fromkeys(UNTRACED_LISTS, ())
     for path, file in found.files.items():
         if path.startswith("passes/") or path == "lib/screen.glsl":
             continue

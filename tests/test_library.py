@@ -99,7 +99,7 @@ def test_a_folder_without_its_default(tmp_path: Path) -> None:
             "tonemaps/t.glsl",
             "nope",
             GOOD,
-            "'nope' is no file here that is none itself; there is: no",
+            "'nope' is no file here that is none itself; there is: lab_white, no",
         ),
         (
             "tonemaps/t.glsl",

@@ -23,6 +23,9 @@ from tests.support import alternatives, assert_sound, library, planned, presets
 SIZE = (480, 360)
 # Where every bit must agree, fewer pixels tell as much.
 SMALL = (160, 120)
+RAYS = {"technique": "whitted", "shadow": "ray"}
+# What rays read of these scenes: objects by name or of a list, arrays of images, meshes.
+TRACED = ("box-room", "model-room", "normal-maps", "texture-compare", "toon-garden", "shadow-lab")
 
 
 @pytest.fixture(scope="module")
@@ -60,6 +63,13 @@ def cases() -> Iterator[tuple[str, dict[str, Any]]]:
         yield "box-room", dict(settings)
     for settings in (*shadows(), *views(), *surfaces(), *cameras()):
         yield "box-room", settings
+    for settings in rays():
+        yield "lab/reflectance2", settings
+    for scene in TRACED:
+        yield scene, dict(RAYS)
+    yield "box-room", {**both({"transmittance": 0.6, "ior": 1.3}), **RAYS, "max_bounces": 3}
+    yield "box-room", {**both({"alpha_mode": "blend", "opacity": 0.4}), **RAYS}
+    yield "model-room", {"shadow": "ray"}
     yield "single-sphere", {"outline": "sobel_depth"}
     yield "model-room", {"view": "base_color", "anisotropy": 1}
     yield "normal-maps", {"view": "normal"}
@@ -95,6 +105,14 @@ def surfaces() -> Iterator[dict[str, Any]]:
     yield {**both(glass), "shadow": "hard"}
     yield {**both(glass), "outline": "sobel"}
     yield {**both(glass), "view": "overdraw"}
+
+
+def rays() -> Iterator[dict[str, Any]]:
+    """Triangles and mirrored cameras drawn object by object, and what a traced picture may be."""
+    yield {"technique": "raster", "shadow": "hard"}
+    yield {"technique": "raster", "camera.mirrored": False, "camera.fov_of": "height"}
+    yield {"max_bounces": 4, "samples": 2, "camera.projection": "orthographic", "camera.height": 9}
+    yield {"camera.light": "lamp", "objects.red_ball.scale": [1, 2, 1]}
 
 
 def both(fields: dict[str, Any]) -> dict[str, Any]:
@@ -185,8 +203,10 @@ def pictures() -> Iterator[tuple[str, str, dict[str, Any]]]:
         yield "llvmpipe", scene, settings
     for preset in presets():
         yield "swiftshader", preset, {}
-    for settings in (*list(shadows())[1::4], *views(), *surfaces(), *cameras()):
+    for settings in (*list(shadows())[1::4], *views(), *surfaces(), *cameras(), RAYS):
         yield "swiftshader", "box-room", settings
+    for scene in ("shadow-lab", "toon-garden", "model-room", "normal-maps", "texture-compare"):
+        yield "swiftshader", scene, dict(RAYS)
 
 
 @pytest.mark.parametrize(("backend", "scene", "settings"), list(pictures()), ids=str)

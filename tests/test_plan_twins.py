@@ -17,6 +17,7 @@ from tests.plan_cases import (
     SIZE,
     Case,
     library_cases,
+    part_cases,
     random_cases,
     random_scene_cases,
     scenes,
@@ -86,7 +87,7 @@ def every_choice() -> Iterator[Case]:
     for name in presets():
         yield name, {}, SIZE
         for settings in alternatives():
-            yield name, settings, SIZE
+            yield name, dict(settings), SIZE
 
 
 SCREEN = """/*---
@@ -116,6 +117,13 @@ def screen(
 
 def test_every_choice() -> None:
     check(library(), list(every_choice()))
+
+
+def test_every_choice_of_rays() -> None:
+    """Objects by name and of a list, images in arrays, meshes in tables."""
+    rays = {"technique": "whitted", "shadow": "ray"}
+    scenes = ("lab/reflectance2", "normal-maps", "model-room")
+    check(library(), [(name, {**rays, **own}, SIZE) for name in scenes for own in alternatives()])
 
 
 def test_other_passes(tmp_path: Path) -> None:
@@ -159,6 +167,11 @@ def test_random_settings() -> None:
 def test_random_scenes() -> None:
     """Maps, meshes, transparency: a plan needs no asset, only its name."""
     check(library(), list(random_scene_cases()))
+
+
+def test_parts() -> None:
+    """Hanging on one another in any order, edited in any spelling."""
+    check(library(), list(part_cases()))
 
 
 def test_a_mesh_left_for_a_shape() -> None:

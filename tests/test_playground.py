@@ -327,6 +327,28 @@ def test_scenes_by_menu_and_key_keep_how_they_are_rendered(open_page: Open) -> N
     expect(page.locator("#panel")).to_be_hidden()
 
 
+def test_presets_in_a_folder_have_links_and_a_heading(open_page: Open) -> None:
+    page = open_page("#lab/shadows&exposure=1")
+    expect(page).to_have_title("Shadows · Lightbench")
+    page.get_by_role("button", name="Shadows").click()
+    expect(page.get_by_role("dialog").locator("h3")).to_have_text("Lab")
+    page.get_by_role("button", name="A checker on a sphere").click()
+    expect(page).to_have_title("A checker on a sphere · Lightbench")
+    assert page.evaluate("window.lightbench.link()").endswith("#lab/texture&exposure=1")
+
+
+def test_a_mirrored_picture_follows_the_hand(open_page: Open) -> None:
+    """What is under the pointer is found, and a drag to the right turns its front to the right."""
+    page = open_page("#lab/shadows")
+    box = page.locator("#picture").bounding_box()
+    assert box is not None
+    page.mouse.click(box["x"] + box["width"] * 0.655, box["y"] + box["height"] / 2)
+    expect(page.locator('[data-group="surface"]')).to_contain_text("Material: Green")
+    drag(page, 40, 0)
+    eye = settings(page)["camera.eye"].split(",")
+    assert float(eye[0]) > 1
+
+
 def test_a_click_shows_the_material_and_a_double_click_goes_there(open_page: Open) -> None:
     page = open_page("#metals")
     box = page.locator("#picture").bounding_box()

@@ -29,6 +29,9 @@ def cases() -> Iterator[tuple[str, dict[str, Setting]]]:
         yield "texture-compare", {"outline": outline}
     for model in library().choices("models"):
         yield "normal-maps", {"model": model, "fresnel": "conductor"}
+    for preset in presets():
+        if not preset.startswith("lab/"):
+            yield preset, {"technique": "whitted", "shadow": "ray"}
     yield "box-room", {"camera.projection": "orthographic"}
     yield "box-room", {"camera.light": "window", "shadow": "hard"}
 
@@ -49,6 +52,7 @@ def check(made: Plan) -> None:
             attributes = {n for n, m in members.items() if isinstance(m, moderngl.Attribute)}
             for draw in batch["draws"]:
                 supplied = {*batch["uniforms"], *draw["uniforms"], *draw["textures"]}
+                supplied |= {*draw["arrays"], *draw["tables"]}
                 supplied |= {sampler for sampler in planned_pass["samplers"] if sampler in active}
                 assert supplied == active, (planned_pass["name"], supplied ^ active)
             assert attributes - SCREEN_STATE == set(
@@ -56,6 +60,9 @@ def check(made: Plan) -> None:
             )
             bound |= {t for draw in batch["draws"] for t in draw["textures"].values()}
     assert bound == set(made["textures"])
+    draws = [draw for p in made["passes"] for b in p["batches"] for draw in b["draws"]]
+    for kind in ("arrays", "tables"):
+        assert {name for draw in draws for name in draw[kind].values()} == set(made[kind])
     assert used == set(range(len(made["programs"])))
     read = {t for p in made["passes"] for t in p["samplers"].values()} | {*made["outputs"].values()}
     assert read == set(made["targets"]) == {p["target"] for p in made["passes"]}

@@ -254,6 +254,15 @@ def test_a_map_is_drawn_when_its_light_or_a_caster_changes() -> None:
     assert maps_drawn(made, {**base, "objects.ball.position": "0,0.8,0"}) == 4
 
 
+def test_a_map_stays_when_only_a_table_that_others_read_changes() -> None:
+    """Rays find the objects in a list about the eye."""
+    made = lb.load("shadow-lab")
+    base: dict[str, Setting] = {"technique": "whitted", "shadow": "hard"}
+    assert plan(library(), made, base, SIZE)["tables"]
+    assert maps_drawn(made, base) > 0
+    assert maps_drawn(made, {**base, "camera.eye": "1,4,5"}) == 0
+
+
 @pytest.mark.parametrize("light", LIGHTS)
 def test_seen_from_the_light_nothing_is_in_shadow(light: str) -> None:
     """The picture from the light shows what it reaches and nothing else."""

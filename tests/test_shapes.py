@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 CONES = ["cone-1x3", "cone-2x3", "cone-5x7", "cone-16x32"]
 SPHERES = [f"icosphere-{level}" for level in range(6)]
 CLOSED = ["cube", *SPHERES, *CONES]
-ALL = ["plane", *CLOSED]
+ALL = ["plane", "triangle", *CLOSED]
 
 
 def corners(made: Mesh, name: str = "positions") -> Floats:
@@ -117,7 +117,7 @@ def cosines(directions: Floats, vectors: Floats) -> Floats:
     return found
 
 
-@pytest.mark.parametrize("key", ["plane", "cube", "icosphere-5", "cone-8x256"])
+@pytest.mark.parametrize("key", ["plane", "triangle", "cube", "icosphere-5", "cone-8x256"])
 def test_tangents_follow_the_texture(key: str) -> None:
     made = mesh(key)
     by_u, by_v = derivatives(made)
@@ -197,6 +197,7 @@ def test_cube_and_plane_measures() -> None:
     assert area(mesh("cube")) == 6
     assert volume(mesh("cube")) == pytest.approx(1)
     assert area(mesh("plane")) == 1
+    assert area(mesh("triangle")) == 0.5
     np.testing.assert_array_equal(mesh("plane").normals, np.tile([0, 1, 0], (4, 1)))
 
 
@@ -317,7 +318,7 @@ def test_images_stand_upright_on_the_cube() -> None:
 def test_bad_key_is_refused_with_what_is_allowed(key: str) -> None:
     with pytest.raises(LightbenchError) as refused:
         mesh(key)
-    for allowed in (repr(key)[1:-1], "plane, cube", "0 to 7", "1 to 256", "3 to 1024"):
+    for allowed in (repr(key)[1:-1], "plane, triangle, cube", "0 to 7", "1 to 256", "3 to 1024"):
         assert allowed in str(refused.value)
 
 

@@ -28,6 +28,7 @@ from lightbench.paths import scenes_folder, shaders_folder, web_folder
 from lightbench.pictures import MAX_SIDE, Format, Wanted, gl, picture, thumb, warm_up
 from lightbench.scene_file import model_scene
 from lightbench.shapes import mesh, pack
+from lightbench.tables import packed_hierarchy
 
 __all__ = ["create_app"]
 
@@ -236,6 +237,13 @@ def get_scene_file(request: Request, name: str) -> Response:
 @data.get("/meshes/{key}.bin")
 def get_mesh(key: str, known: Known = None) -> Response:
     return answer(pack(mesh(key)), "application/octet-stream", known)
+
+
+@data.get("/hierarchies/{key}.bin")
+async def get_hierarchy(request: Request, key: str, known: Known = None) -> Response:
+    """What rays read of a mesh: baking a large one takes a second."""
+    media = "application/octet-stream"
+    return await _queued(request, lambda: answer(packed_hierarchy(key), media, known))
 
 
 @data.get("/textures/{key}.png")

@@ -14,7 +14,7 @@ from lightbench.library import GLSL_TYPES, Library
 from lightbench.prune import live
 from lightbench.surface import NO_PATTERN, Pattern, pattern_lists
 
-__all__ = ["Request", "Source", "assemble"]
+__all__ = ["UNIFORM", "Request", "Source", "assemble"]
 
 Record = Mapping[str, str]
 Line = tuple[int, str]
@@ -25,9 +25,7 @@ _INCLUDE = re.compile(r'(?:"([^"]+)"|<(\w+)>)$')
 BASE_FIELDS = ("base_color", "kd")
 
 _NAME = re.compile(r"[A-Za-z_]\w*")
-_UNIFORM = re.compile(
-    r"^\s*uniform\s+(?:(?:high|medium|low)p\s+)?(\w+)\s+(u_\w+)\s*;", re.MULTILINE
-)
+UNIFORM = re.compile(r"^\s*uniform\s+(?:(?:high|medium|low)p\s+)?(\w+)\s+(u_\w+)\s*;", re.MULTILINE)
 _ATTRIBUTE = re.compile(r"^\s*in\s+(\w+)\s+(a_\w+)\s*;", re.MULTILINE)
 _TAKEN = re.compile(r"^\s*in\s+\w+\s+(v_\w+)\s*;", re.MULTILINE)
 
@@ -83,7 +81,7 @@ def assemble(library: Library, request: Request) -> Source:
         ),
         files=tuple(expansion.files),
         settings=tuple(expansion.settings),
-        uniforms={name: kind for kind, name in _UNIFORM.findall(text)},
+        uniforms={name: kind for kind, name in UNIFORM.findall(text)},
         attributes={name: kind for kind, name in _ATTRIBUTE.findall(text)},
         varyings=tuple(sorted(_TAKEN.findall(text))),
     )

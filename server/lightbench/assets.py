@@ -1,10 +1,12 @@
 """The asset store: meshes and images by content key, for as long as the process lives.
 
 A key says what it names and is a hash of the content, so that the same content is kept once and
-a key never comes to mean something else: "mesh-" or "image-" and 32 hexadecimal digits.
+a key never comes to mean something else: "mesh-", or "image-640x480-" with the image's size in
+pixels, and 32 hexadecimal digits.
 """
 
 import hashlib
+import struct
 from collections import OrderedDict
 from dataclasses import dataclass
 from threading import Lock
@@ -37,7 +39,8 @@ def add_mesh(mesh: Mesh, *, keep: bool) -> str:
 
 def add_image(png: bytes, *, keep: bool) -> str:
     """Store the bytes of a PNG and return their key; `keep` as for a mesh."""
-    return _add("image", png, _Asset(png, len(png), keep))
+    width, height = struct.unpack(">II", png[16:24])  # of the header, which is a PNG's first chunk
+    return _add(f"image-{width}x{height}", png, _Asset(png, len(png), keep))
 
 
 def mesh(key: str) -> Mesh:

@@ -15,8 +15,9 @@ from lightbench.paths import scenes_folder, shaders_folder, web_folder
 from lightbench.scene import Scene
 from lightbench.scene_file import scene_names
 from lightbench.shapes import ICOSPHERE_ERRORS, mesh, pack
+from lightbench.tables import packed_hierarchy
 
-__all__ = ["bake", "mesh_keys", "require_web"]
+__all__ = ["bake", "hierarchy_keys", "mesh_keys", "require_web"]
 
 # Marks a folder as made here, so that it may be replaced.
 MARK = "data/baked.json"
@@ -60,11 +61,15 @@ def require_web() -> Path:
 
 def mesh_keys(scenes: list[Scene]) -> list[str]:
     """Every mesh that the page may ask for: all spheres, these scenes' cones and models."""
-    models = {asset.mesh for scene in scenes for asset in scene.meshes.values()}
     things = (thing for scene in scenes for thing in scene.objects.values())
     cones = {f"cone-{t.stacks}x{t.sectors}" for t in things if t.shape == "cone"}
     spheres = [f"icosphere-{level}" for level in range(len(ICOSPHERE_ERRORS))]
-    return ["plane", "cube", *spheres, *sorted(cones), *sorted(models)]
+    return ["plane", "triangle", "cube", *spheres, *sorted(cones), *hierarchy_keys(scenes)]
+
+
+def hierarchy_keys(scenes: list[Scene]) -> list[str]:
+    """Every mesh that rays of the page may meet as one: those of models."""
+    return sorted({asset.mesh for scene in scenes for asset in scene.meshes.values()})
 
 
 def _files(library: Library, root: Path) -> Iterator[tuple[str, bytes]]:
@@ -77,6 +82,8 @@ def _files(library: Library, root: Path) -> Iterator[tuple[str, bytes]]:
         yield f"thumbs/{name}.png", render_plan(scene, THUMB, {}).png()
     for key in mesh_keys(list(presets.values())):
         yield f"meshes/{key}.bin", pack(mesh(key))
+    for key in hierarchy_keys(list(presets.values())):
+        yield f"hierarchies/{key}.bin", packed_hierarchy(key)
     images = {texture.image for scene in presets.values() for texture in scene.textures.values()}
     for key in sorted(images):
         yield f"textures/{key}.png", assets.image(key)

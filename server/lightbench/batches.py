@@ -8,11 +8,31 @@ from lightbench.assemble import Record, Request, Source, assemble
 from lightbench.errors import ShaderError
 from lightbench.front_matter import Pass
 from lightbench.library import Library
-from lightbench.plan_types import Batch, Draw, Plan, Program, Uniforms
+from lightbench.link import link
+from lightbench.parts import part_records, part_values
+from lightbench.plan_types import Batch, Draw, Plan, PlannedTable, Program, Sampling, Uniforms
 from lightbench.scene import Object, Scene
 from lightbench.scene_lights import Light, SpotLight
+from lightbench.scene_surfaces import Texture
 from lightbench.settings import Resolved
 from lightbench.surface import NO_PATTERN, Pattern, surface
+from lightbench.traced import (
+    SURFACE,
+    TRACING,
+    UNTRACED,
+    UNTRACED_LISTS,
+    Records,
+    image_arrays,
+    image_numbers,
+    object_list,
+    object_records,
+    object_values,
+    own_values,
+    patterns_of,
+    scene_defines,
+    taken,
+    texels_of,
+)
 from lightbench.values import (
     DRAW_NAMES,
     draw_values,
@@ -35,7 +55,7 @@ from lightbench.viewpoint import (
 
 __all__ = ["Batches", "ById", "define_values", "light_lists"]
 
-Records = tuple[tuple[tuple[str, str], ...], ...]
+NO_LISTS: Mapping[str, Records] = {}
 
 
 class ById:
@@ -54,10 +74,11 @@ class ById:
 @lru_cache(maxsize=1024)
 def _assembled(
     library: ById, entry: str, stage: str, choices: tuple[tuple[str, str], ...],
-    values: tuple[tuple[str, float], ...], lights: Records, own: int | None, pattern: Pattern,
-    varyings: tuple[str, ...],
+    values: tuple[tuple[str, float], ...], lights: Records, lists: tuple[tuple[str, Records], ...],
+    own: int | None, pattern: Pattern, varyings: tuple[str, ...],
 ) -> Source:  # fmt: skip
-    records = light_lists(lights, own)
+    more = {name: tuple(dict(record) for record in records) for name, records in lists}
+    records = light_lists(lights, own) | more
     request = Request(entry, stage, dict(choices), dict(values), records, pattern, varyings)
     return assemble(library.value, request)
 
@@ -105,7 +126,8 @@ def define_values(library: Library, resolved: Resolved) -> tuple[tuple[str, floa
     chosen = (f"{n}/{resolved.choices[f.setting]}.glsl" for n, f in library.folders.items())
     signed = any(library.files[path].meta.signed for path in chosen)
     orthographic = resolved.scene.camera.projection == "orthographic"
-    return (*numbers, ("orthographic", float(orthographic)), ("signed", float(signed)))
+    frame = (("orthographic", float(orthographic)), ("signed", float(signed)))
+    return (*numbers, *frame, *scene_defines(resolved.scene))
 
 
 class Batches:
@@ -116,10 +138,19 @@ class Batches:
         self.scene = resolved.scene
         self.defines = define_values(library, resolved)
         self.lights = light_records(self.scene)
+        self.index = {id(thing): i for i, thing in enumerate(self.scene.objects.values())}
         self.parameters = parameter_values(resolved)
         self.surfaces = {
             id(thing): surface(library, self.scene, thing) for thing in self.scene.objects.values()
         }
+        self.things = object_records(self.scene, self.surfaces)
+        kinds = len(patterns_of(self.scene, self.surfaces))
+        names = (f"SURFACE{i}_VALUES" for i in range(kinds))
+        self.no_values: dict[str, Records] = dict.fromkeys(names, ())
+        # What each object has its own value of, where rays ask.
+        self.own: Records = ()
+        # Names of textures, array by array, that rays read.
+        self.images: list[list[str]] = []
         # Uniforms of each program of the plan, with their types.
         self.declared: list[Mapping[str, str]] = []
 
@@ -144,13 +175,54 @@ class Batches:
             **self.parameters,
             **frame_values(viewpoint, self.scene, size),
             **light_values(self.resolved, self.library, maps, self.scene.camera.eye),
+            **part_values(self.scene),
         }
         if meta.draw == "screen":
             program = self.program(name, meta, NO_PATTERN, None)
-            draws: list[Draw] = [{"mesh": None, "uniforms": {}, "textures": {}}]
+            shared |= self.seen_by_rays()
+            declared = self.declared[program]
+            draws: list[Draw] = [{
+                "mesh": None, "uniforms": {}, "textures": {}, "arrays": self.arrays_of(declared),
+                "tables": self.tables_of(declared),
+            }]  # fmt: skip
             return [self.batch(name, program, shared, draws, blend=None)]
+        shared |= self.seen_by_rays()
         things = front_to_back(self.scene, viewpoint.origin)
         return self.objects(name, meta, things, viewpoint, shared, None)
+
+    def seen_by_rays(self) -> Uniforms:
+        numbers = image_numbers(self.images)
+        return object_values(self.scene, self.surfaces, numbers, self.scene.camera.eye)
+
+    def arrays_of(self, declared: Mapping[str, str]) -> dict[str, str]:
+        """The arrays of images that a program reads, by sampler."""
+        samplers = {}
+        for index, names in enumerate(self.images):
+            if f"u_images{index}" in declared:
+                textures = [self.scene.textures[name] for name in names]
+                images = [texture.image for texture in textures]
+                self.result["arrays"][f"images{index}"] = {
+                    "images": images, **self.sampling(textures[0]), "anisotropy": 1,
+                }  # fmt: skip
+                samplers[f"u_images{index}"] = f"images{index}"
+        return samplers
+
+    def tables_of(self, declared: Mapping[str, str]) -> dict[str, str]:
+        """The tables that a program reads, by sampler."""
+        found = [name for name in ("objects", "meshes") if f"u_{name}" in declared]
+        things = self.scene.objects.values()
+        meshes = list(dict.fromkeys(self.scene.meshes[t.mesh].mesh for t in things if t.mesh))
+        for name in found:
+            if name in self.result["tables"]:
+                continue
+            texels = list[float]()
+            if name == "objects":
+                texels = object_list(
+                    self.scene, self.surfaces, self.seen_by_rays(), self.own, meshes
+                )
+            table: PlannedTable = {"texels": texels, "meshes": meshes if name == "meshes" else []}
+            self.result["tables"][name] = table
+        return {f"u_{name}": name for name in found}
 
     def of_map(self, name: str, meta: Pass, index: int, light: LightMap) -> list[Batch]:
         """The batches of a pass that draws a light's map, face after face."""
@@ -186,14 +258,16 @@ class Batches:
             draws = [self.draw(program, thing, viewpoint) for thing in group]
             batch = self.batch(name, program, shared, draws, blend=blended)
             batch["tile"] = viewpoint.tile
-            batch["cull"] = "DOUBLE_SIDED" not in pattern.flags
+            # A mirrored camera turns every triangle over.
+            mirrored = self.scene.camera.mirrored and own is None
+            batch["cull"] = "DOUBLE_SIDED" not in pattern.flags and not mirrored
             batches.append(batch)
         return batches
 
     def batch(
         self, name: str, program: int, shared: Uniforms, draws: list[Draw], *, blend: str | None
     ) -> Batch:
-        wanted = {n for n, kind in self.declared[program].items() if kind != "sampler2D"}
+        wanted = {n for n, kind in self.declared[program].items() if "sampler" not in kind}
         own = DRAW_NAMES | {n for draw in draws for n in draw["uniforms"]}
         if unknown := wanted - own - set(shared):
             known = ", ".join(sorted([*shared, *DRAW_NAMES]))
@@ -217,6 +291,7 @@ class Batches:
         }
         mesh, gap = mesh_key(self.resolved, self.library, thing, viewpoint)
         values["u_gap"] = float32([gap])
+        values["u_object"] = [float(self.index[id(thing)])]
         for i, used in enumerate(texels):
             values[f"u_texture{i}_transform"] = texture_transform(used)
         for texture in textures.values():
@@ -225,12 +300,16 @@ class Batches:
             "mesh": mesh,
             "uniforms": {n: values[n] for n in sorted(values) if n in declared},
             "textures": textures,
+            "arrays": {},
+            "tables": self.tables_of(declared),
         }
 
     def note_texture(self, name: str) -> None:
         texture = self.scene.textures[name]
-        self.result["textures"][name] = {
-            "image": texture.image,
+        self.result["textures"][name] = {"image": texture.image, **self.sampling(texture)}
+
+    def sampling(self, texture: Texture) -> Sampling:
+        return {
             "encoding": texture.encoding,
             "wrap": list(texture.wrap),
             "filter": texture.filter,
@@ -246,14 +325,55 @@ class Batches:
 
     def sources(self, name: str, meta: Pass, pattern: Pattern, own: int | None) -> list[Source]:
         """The fragment and the vertex stage of a pass for surfaces of a pattern."""
+        entry, values = f"passes/{name}.glsl", {"draws_objects": meta.draw == "objects"}
+        fragment = self.assembled(entry, "FRAGMENT", pattern, values, own=own)
+        if TRACING in fragment.files:
+            fragment = self.tracing(entry)
+        varyings = fragment.varyings
+        vertex = self.assembled(entry, "VERTEX", pattern, values, own=own, varyings=varyings)
+        return [fragment, vertex]
+
+    def assembled(
+        self, entry: str, stage: str, pattern: Pattern, values: Mapping[str, float],
+        lists: Mapping[str, Records] = NO_LISTS, own: int | None = None,
+        varyings: tuple[str, ...] = (),
+    ) -> Source:  # fmt: skip
         choices = tuple({**self.resolved.choices, **dict(pattern.choices)}.items())
-        values = (*self.defines, ("draws_objects", float(meta.draw == "objects")))
-        entry, made = f"passes/{name}.glsl", list[Source]()
-        for stage in ("FRAGMENT", "VERTEX"):
-            varyings = made[0].varyings if made else ()
-            request = (entry, stage, choices, values, self.lights, own, pattern, varyings)
-            made.append(_assembled(ById(self.library), *request))
-        return made
+        given = {**UNTRACED, "record": texels_of(self.own), **values}
+        defines = (*self.defines, *((n, float(value)) for n, value in given.items()))
+        arrays: Records = tuple((("index", str(i)),) for i in range(len(self.images)))
+        every = {
+            **UNTRACED_LISTS, **self.no_values, "OBJECTS": self.things, "IMAGE_ARRAYS": arrays,
+            "PARTS": part_records(self.scene), **lists,
+        }  # fmt: skip
+        return _assembled(
+            ById(self.library), entry, stage, choices, defines, self.lights, tuple(every.items()),
+            own, pattern, varyings,
+        )  # fmt: skip
+
+    def tracing(self, entry: str) -> Source:
+        """The fragment stage of a pass whose rays may meet every kind of surface."""
+        values = {"draws_objects": 1.0, "traced": 1.0}
+        patterns = patterns_of(self.scene, self.surfaces)
+        # First to see what they read, which says what there must be to be read.
+        self.images, self.own = [], ()
+        parts = [self.assembled(SURFACE, "FRAGMENT", pattern, values) for pattern in patterns]
+        self.images = image_arrays(
+            self.scene, self.surfaces, dict(zip(patterns, parts, strict=True))
+        )
+        self.own = own_values(self.scene, parts)
+        parts = [self.assembled(SURFACE, "FRAGMENT", pattern, values) for pattern in patterns]
+        by_kind = {
+            f"SURFACE{i}_VALUES": own_values(self.scene, [part]) for i, part in enumerate(parts)
+        }
+        kinds: Records = tuple((("index", str(i)),) for i in range(len(parts)))
+        main = self.assembled(
+            entry, "FRAGMENT", NO_PATTERN, {"traced": 1.0, **dict(taken(parts))},
+            {"OBJECT_VALUES": self.own, "SURFACES": kinds, **by_kind},
+        )  # fmt: skip
+        return link(
+            parts, "surfaceLight", main, {f"u_{dict(record)['name']}" for record in self.own}
+        )
 
     def program(self, name: str, meta: Pass, pattern: Pattern, own: int | None) -> int:
         """The index in the plan of the program for surfaces of a pattern."""

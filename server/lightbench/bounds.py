@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from lightbench import matrix
+from lightbench.placement import corners, model_matrix
 from lightbench.scene import Object, Scene
 
 __all__ = ["bounding_sphere", "distance", "extent", "farthest", "fit"]
@@ -32,11 +33,19 @@ def _box(scene: Scene, thing: Object) -> tuple[Vector, Vector]:
 def bounding_sphere(scene: Scene, thing: Object) -> tuple[Vector, float]:
     """(centre, radius) of a sphere that contains the object, in metres."""
     largest = max(thing.scale)
+    if thing.shape == "triangle":
+        return _sphere_about(*corners(thing, (0, 0, 0)))
     if thing.mesh is None:
         return thing.position, RADII[thing.shape] * largest
     center, half = _box(scene, thing)
-    model = matrix.compose(thing.position, thing.rotation, thing.scale)
+    model = model_matrix(thing, (0, 0, 0))
     return matrix.transform(model, center), math.sqrt(matrix.dot(half, half)) * largest
+
+
+def _sphere_about(a: Vector, b: Vector, c: Vector) -> tuple[Vector, float]:
+    center = [(a[i] + b[i] + c[i]) / 3 for i in range(3)]
+    offsets = [matrix.subtract(p, center) for p in (a, b, c)]
+    return center, max(math.sqrt(matrix.dot(o, o)) for o in offsets)
 
 
 def distance(scene: Scene, thing: Object, point: Vector) -> float:
@@ -56,6 +65,9 @@ def _arms(scene: Scene, thing: Object) -> tuple[Vector, list[Vector]]:
 
 def extent(scene: Scene, thing: Object, axis: Vector) -> tuple[float, float]:
     """The lowest and the highest coordinate of an object along a unit axis."""
+    if thing.shape == "triangle":
+        along = [matrix.dot(corner, axis) for corner in corners(thing, (0, 0, 0))]
+        return min(along), max(along)
     center, arms = _arms(scene, thing)
     a, b, c = (matrix.dot(arm, axis) for arm in arms)
     round_shape = thing.shape == "sphere"
@@ -78,8 +90,10 @@ def farthest(scene: Scene, things: Iterable[Object], point: Vector) -> float:
 def _farthest(scene: Scene, thing: Object, point: Vector) -> float:
     if thing.shape == "sphere":
         return distance(scene, thing, point) + max(thing.scale)
+    if thing.shape == "triangle":
+        return max(math.sqrt(matrix.dot(corner, corner)) for corner in corners(thing, point))
     center, (a, b, c) = _arms(scene, thing)
     offset = matrix.subtract(center, point)
     signs = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
-    corners = [[offset[i] + x * a[i] + y * b[i] + z * c[i] for i in range(3)] for x, y, z in signs]
-    return max(math.sqrt(matrix.dot(corner, corner)) for corner in corners)
+    ends = [[offset[i] + x * a[i] + y * b[i] + z * c[i] for i in range(3)] for x, y, z in signs]
+    return max(math.sqrt(matrix.dot(corner, corner)) for corner in ends)

@@ -10,6 +10,7 @@ from typing import NoReturn
 import click
 
 from lightbench.cli_figures import figures
+from lightbench.cli_gamma import gamma
 from lightbench.cli_options import assignments_of, folders, limits_of, size_of
 from lightbench.cli_stability import atlas, forms
 from lightbench.errors import LightbenchError
@@ -212,6 +213,7 @@ def bake(folder: Path) -> None:
 cli.add_command(atlas)
 cli.add_command(forms)
 cli.add_command(figures)
+cli.add_command(gamma)
 
 if __name__ == "__main__":
     main()

@@ -25,7 +25,9 @@ def argument_types(arguments: str) -> tuple[str, ...]:
 
 
 def same_arguments(promised: str, optional: Sequence[str]) -> list[str]:
-    """Names of the functions of a folder that take what the one it promises takes."""
+    """Names of the functions of a folder that take what the one it promises ("": none) takes."""
+    if not promised:
+        return []
     wanted = _signature(promised)[2]
     return [name for _, name, types in map(_signature, (promised, *optional)) if types == wanted]
 

@@ -10,7 +10,7 @@ __all__ = [
 
 Range = tuple[float, float]
 Kind = Literal["float", "int", "bool", "color"]
-SurfacePart = Literal["normal", "emission", "occlusion", "opacity"]
+SurfacePart = Literal["normal", "emission", "occlusion", "opacity", "mirror"]
 # The fields that `struct Material` may have, in its order. The scene's materials supply them.
 MATERIAL_FIELDS = {
     "base_color": "vec3",
@@ -22,6 +22,7 @@ MATERIAL_FIELDS = {
     "kd": "vec3",
     "ks": "vec3",
     "shininess": "float",
+    "ambient": "vec3",
 }
 
 

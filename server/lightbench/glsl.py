@@ -13,13 +13,14 @@ from lightbench.assemble import Request, Source, assemble
 from lightbench.batches import define_values, light_lists
 from lightbench.contract import argument_types
 from lightbench.errors import LightbenchError, NotFoundError
-from lightbench.glsl_run import COMPONENTS, RETURNS, Prepared, run
+from lightbench.glsl_run import COMPONENTS, RETURNS, WHOLE, Prepared, run
 from lightbench.half import HALF, halved
 from lightbench.library import Library, read_library
 from lightbench.paths import shaders_folder
 from lightbench.render import on_gl_thread
 from lightbench.scene import Scene
 from lightbench.settings import Resolved, Setting, resolve
+from lightbench.traced import UNTRACED, UNTRACED_LISTS
 
 __all__ = ["call"]
 
@@ -70,15 +71,18 @@ def prepare(
     source, resolved = source_of(library, file, single, objects=objects)
     source = _variables(replace(source, text=halved(source.text)) if half else source, by_row)
     returned, types = _signature(library, file, function)
-    columns = _columns(source, types, arrays, function)
+    kinds = _kinds(source, types)
+    columns = _columns(kinds, types, arrays, function)
     columns |= {f"u_{name}": _column(by_row[name], "float", name) for name in by_row}
     rows = {len(column) for column in columns.values()} - {1}
     if len(rows) > 1:
         raise LightbenchError(f"{function}: arrays of different lengths: {sorted(rows)}")
     count = rows.pop() if rows else 1
     return Prepared(
-        source, resolved, function, returned, types, columns, count, HALF if half else ""
-    )
+        source, resolved, function, returned, types, columns,
+        {name: kind for name, kind in kinds.items() if kind in WHOLE},
+        count, HALF if half else "",
+    )  # fmt: skip
 
 
 # The member of a struct that has none, in lib/material.glsl: GLSL has no empty struct.
@@ -96,8 +100,9 @@ def source_of(
     own = {library.folders[folder].setting: name} if folder in library.folders else {}
     resolved = resolve(library, Scene(materials={}, objects={}), {**own, **settings})
     values = dict(define_values(library, resolved))
-    values["draws_objects"] = float(objects)
-    request = Request(file, "FRAGMENT", resolved.choices, values, light_lists(()))
+    values |= {**UNTRACED, "draws_objects": float(objects)}
+    lists = light_lists(()) | dict.fromkeys(UNTRACED_LISTS, ())
+    request = Request(file, "FRAGMENT", resolved.choices, values, lists)
     return assemble(library, request), resolved
 
 
@@ -135,8 +140,17 @@ def _struct(source: Source, name: str) -> dict[str, str]:
     return {field: kind for kind, field in fields if field != NO_FIELD}
 
 
+def _kinds(source: Source, types: tuple[str, ...]) -> dict[str, str]:
+    """The type of each argument `a0`, or of each field `a0.name` of one that is a struct."""
+    kinds: dict[str, str] = {}
+    for index, kind in enumerate(types):
+        fields = {} if kind in COMPONENTS else _struct(source, kind)
+        kinds |= {f"a{index}.{name}": of for name, of in fields.items()} or {f"a{index}": kind}
+    return kinds
+
+
 def _columns(
-    source: Source, types: tuple[str, ...], arrays: Sequence[Argument], function: str
+    kinds: Mapping[str, str], types: tuple[str, ...], arrays: Sequence[Argument], function: str
 ) -> dict[str, NDArray[np.float32]]:
     """One (rows, components) array for each scalar, vector or struct field."""
     if len(arrays) != len(types):
@@ -146,12 +160,12 @@ def _columns(
         if kind in COMPONENTS:
             columns[f"a{index}"] = _column(given, kind, f"{function}: argument {index}")
             continue
-        fields = _struct(source, kind)
+        fields = [name.split(".")[1] for name in kinds if name.startswith(f"a{index}.")]
         if not isinstance(given, Mapping) or set(given) != set(fields):
             raise LightbenchError(f"{function}: argument {index} is a dict of: {', '.join(fields)}")
-        for field, field_type in fields.items():
-            where = f"{function}: {kind}.{field}"
-            columns[f"a{index}.{field}"] = _column(given[field], field_type, where)
+        for field in fields:
+            name, where = f"a{index}.{field}", f"{function}: {kind}.{field}"
+            columns[name] = _column(given[field], kinds[name], where)
     return columns
 
 

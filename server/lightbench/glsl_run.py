@@ -37,6 +37,7 @@ PADDING = {1: ", 0.0, 0.0, 0.0", 2: ", 0.0, 0.0", 3: ", 0.0", 4: ""}
 class Prepared:
     """A call whose arguments fit. `columns` holds (rows, components) float32 for each scalar or
     vector argument `a0`, struct field `a0.name` and parameter `u_name`; one row stands for all.
+    `whole` has the types of those that are not floats.
     `rounding` is what each goes through first, the name of a GLSL function or nothing.
     """
 
@@ -46,6 +47,7 @@ class Prepared:
     returned: str
     types: tuple[str, ...]
     columns: Mapping[str, NDArray[np.float32]]
+    whole: Mapping[str, str]
     count: int
     rounding: str = ""
 
@@ -119,10 +121,10 @@ def sampler(column: str) -> str:
 
 def program(prepared: Prepared, body: Sequence[str], uniforms: Sequence[str] = ()) -> Program:
     """The source with a main that has the row of this pixel in a0, a1 and so on, then the body."""
-    whole = {f"a{i}": kind for i, kind in enumerate(prepared.types) if kind in WHOLE}
     fetches = [
-        f"  {column} = {whole.get(column, prepared.rounding)}(texelFetch({sampler(column)}, "
-        f"{'row' if len(array) > 1 else 'ivec2(0)'}, 0){SWIZZLE[array.shape[1]]});"
+        f"  {column} = {prepared.whole.get(column, prepared.rounding)}"
+        f"(texelFetch({sampler(column)}, {'row' if len(array) > 1 else 'ivec2(0)'}, 0)"
+        f"{SWIZZLE[array.shape[1]]});"
         for column, array in prepared.columns.items()
     ]
     main = [

@@ -21,6 +21,8 @@ from lightbench.shapes import ICOSPHERE_ERRORS
 __all__ = ["Library", "read_library"]
 
 GLSL_TYPES = {"float": "float", "color": "vec3"}
+# What a pass may ask of the scene in its `when`: how many of these there are.
+SCENE_NAMES = ("parts",)
 Matter = TypeVar("Matter", bound=BaseModel)
 _FRONT_MATTER = re.compile(r"\s*/\*---[ \t]*\n(.*?)---\*/", re.DOTALL)
 _COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
@@ -52,7 +54,9 @@ class Library(Strict):
     def promised(self, path: str) -> str | None:
         """The name of the function that a choice's folder promises; of another file, None."""
         folder = self.folders.get(path.rpartition("/")[0])
-        return None if folder is None else folder.function.split("(")[0].split()[-1]
+        if folder is None or not folder.function:
+            return None
+        return folder.function.split("(")[0].split()[-1]
 
     def per_light(self, resource: str) -> bool:
         """Whether there is one such texture for each light that casts shadows."""
@@ -124,7 +128,9 @@ def _check_defaults(library: Library) -> None:
 def _check_parameters(library: Library) -> None:
     """A parameter's name belongs to one folder (whose choices exclude each other) or one file."""
     owners: dict[str, str] = {f.setting: f"{n}/_choice.toml" for n, f in library.folders.items()}
+    owners |= dict.fromkeys(SCENE_NAMES, "the scene")
     defaults: dict[str, Value] = {f.setting: f.default for f in library.folders.values()}
+    defaults |= dict.fromkeys(SCENE_NAMES, 0.0)
     for path, file in library.files.items():
         folder = path.split("/")[0]
         for name, parameter in file.meta.parameters.items():

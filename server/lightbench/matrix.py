@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 __all__ = [
     "compose", "cos_sin", "cross", "dot", "look_at", "multiply", "normal_matrix", "normalize",
-    "orthographic", "perspective", "rotation", "square_perspective", "subtract", "transform",
+    "orthographic", "rotation", "square_perspective", "subtract", "transform",
     "translation",
 ]  # fmt: skip
 
@@ -95,12 +95,6 @@ def square_perspective(tangent: float, near: float, far: float) -> list[float]:
     depth, shift = (far + near) * inverse, 2 * far * near * inverse
     f = 1 / tangent
     return [f, 0.0, 0.0, 0.0, 0.0, f, 0.0, 0.0, 0.0, 0.0, depth, -1.0, 0.0, 0.0, shift, 0.0]
-
-
-def perspective(fov: float, aspect: float, near: float, far: float) -> list[float]:
-    """OpenGL projection; `fov` is vertical, in degrees."""
-    flat = square_perspective(math.tan(fov * math.pi / 180 / 2), near, far)
-    return [flat[0] / aspect, *flat[1:]]
 
 
 def orthographic(height: float, aspect: float, near: float, far: float) -> list[float]:

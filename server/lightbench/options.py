@@ -13,6 +13,7 @@ from lightbench.materials import materials
 from lightbench.scene import Camera, Object, Scene
 from lightbench.scene_file import read_scene, scene_names
 from lightbench.scene_lights import Light
+from lightbench.scene_parts import Part
 from lightbench.scene_surfaces import Material
 
 __all__ = ["THUMB", "listing", "manifest", "options", "preset", "scenes", "version"]
@@ -102,6 +103,7 @@ def _scene_settings() -> dict[str, list[str]]:
         "lights.NAME": list(lights),
         "materials.NAME": list(Material.model_fields),
         "objects.NAME": list(Object.model_fields),
+        "parts.NAME": list(Part.model_fields),
     }
 
 

@@ -51,6 +51,7 @@ class _Planner:
         self.names: dict[str, Value] = {
             **{k: v for k, v in resolved.values.items() if isinstance(v, float | int)},
             **resolved.choices,
+            "parts": len(self.scene.parts),
         }
         self.metas = library.passes()
         self.maps: dict[int, LightMap] = {}
@@ -60,7 +61,8 @@ class _Planner:
         view = library.files[f"views/{resolved.choices['view']}.glsl"]
         self.inspects = len(view.functions) > 1
         self.result: Plan = {
-            "size": list(size), "targets": {}, "textures": {}, "programs": [], "passes": [],
+            "size": list(size), "targets": {}, "textures": {}, "arrays": {}, "tables": {},
+            "programs": [], "passes": [],
             "outputs": {}, "signed": view.meta.signed, "settings": [], "files": [],
         }  # fmt: skip
         self.batches = Batches(library, resolved, self.result)
@@ -183,7 +185,11 @@ class _Planner:
 
 
 def _check_units(planned: PlannedPass) -> None:
-    own = max((len(draw["textures"]) for b in planned["batches"] for draw in b["draws"]), default=0)
+    draws = [draw for batch in planned["batches"] for draw in batch["draws"]]
+    own = max(
+        (sum(len(draw[kind]) for kind in ("textures", "arrays", "tables")) for draw in draws),
+        default=0,
+    )
     if len(planned["samplers"]) + own > MAX_UNITS:
         raise LightbenchError(
             f"{planned['name']}: {len(planned['samplers'])} shadow maps or targets and {own} "

@@ -3,8 +3,8 @@
 from typing_extensions import TypedDict
 
 __all__ = [
-    "Batch", "Draw", "Plan", "PlannedPass", "PlannedTarget", "PlannedTexture", "Program",
-    "Uniforms",
+    "Batch", "Draw", "Plan", "PlannedArray", "PlannedPass", "PlannedTable", "PlannedTarget",
+    "PlannedTexture", "Program", "Sampling", "Uniforms",
 ]  # fmt: skip
 
 Uniforms = dict[str, list[float]]
@@ -18,17 +18,35 @@ class PlannedTarget(TypedDict):
     depth: bool
 
 
-class PlannedTexture(TypedDict):
-    """An image on surfaces: its key in the asset store and how it is sampled.
+class Sampling(TypedDict):
+    """How images are read.
 
     `wrap`: repeat, clamp or mirror along u and v. `anisotropy`: samples at most, where available.
     """
 
-    image: str
     encoding: str
     wrap: list[str]
     filter: str
     anisotropy: int
+
+
+class PlannedTexture(Sampling):
+    """An image on surfaces: its key in the asset store."""
+
+    image: str
+
+
+class PlannedArray(Sampling):
+    """Images of one size as the layers of one texture."""
+
+    images: list[str]
+
+
+class PlannedTable(TypedDict):
+    """Numbers that a shader reads by their place: four a texel, or those of meshes for rays."""
+
+    texels: list[float]
+    meshes: list[str]
 
 
 class Program(TypedDict):
@@ -42,11 +60,16 @@ class Program(TypedDict):
 
 
 class Draw(TypedDict):
-    """One mesh (null: the screen triangle), the uniforms that are its own, textures by sampler."""
+    """One mesh (null: the screen triangle), the uniforms that are its own.
+
+    `textures`, `arrays` and `tables` by sampler.
+    """
 
     mesh: str | None
     uniforms: Uniforms
     textures: dict[str, str]
+    arrays: dict[str, str]
+    tables: dict[str, str]
 
 
 class Batch(TypedDict):
@@ -87,6 +110,8 @@ class Plan(TypedDict):
     size: list[int]
     targets: dict[str, PlannedTarget]
     textures: dict[str, PlannedTexture]
+    arrays: dict[str, PlannedArray]
+    tables: dict[str, PlannedTable]
     programs: list[Program]
     passes: list[PlannedPass]
     outputs: dict[str, str]

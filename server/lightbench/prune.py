@@ -11,9 +11,10 @@ Line = tuple[str, str, int]
 
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _HANDED_ON = re.compile(r"\s*(?:out\s+\w+\s+(v_\w+)\s*;|(v_\w+)\s*=[^=].*;)$")
-# A uniform, an input or a value that is given a name in one line.
+# A uniform, an input, a variable in place of one, or a value that is given a name in one line.
 _NAMED = re.compile(
     r"\s*(?:(?:uniform|in)\s+(?:(?:high|medium|low)p\s+)?\w+\s+(\w+)\s*;"
+    r"|\w+\s+(v_\w+)\s*;"
     r"|(?:const\s+)?[A-Za-z]\w*\s+(\w+)\s*=[^=][^;]*;)$"
 )
 
@@ -27,7 +28,9 @@ def live(output: list[Line], stage: str, varyings: Collection[str]) -> list[Line
     while True:
         mentions = Counter(name for text, _, _ in lines for name in _NAME.findall(text))
         dead = [
-            line for line in lines if (m := _NAMED.match(line[0])) and mentions[m[1] or m[2]] == 1
+            line
+            for line in lines
+            if (m := _NAMED.match(line[0])) and mentions[m[1] or m[2] or m[3]] == 1
         ]
         if not dead:
             return lines

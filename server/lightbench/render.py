@@ -22,6 +22,7 @@ from lightbench.plan_types import (
 )
 from lightbench.shader_log import explain
 from lightbench.shapes import mesh
+from lightbench.tables import Tables
 from lightbench.textures import Bound, Textures
 
 __all__ = ["Renderer", "on_gl_thread", "renderer"]
@@ -64,6 +65,8 @@ def held(key: Key) -> int:
     return max(key.width * key.height * pixel, LEAST_BYTES)
 
 
+# Textures, arrays and tables, by name.
+Images = tuple[dict[str, Bound], dict[str, Bound], dict[str, moderngl.Texture]]
 P = ParamSpec("P")
 R = TypeVar("R")
 _thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="gl")
@@ -107,6 +110,7 @@ class Renderer:
         self._buffers: dict[tuple[str, str], moderngl.Buffer] = {}
         self._framebuffers: dict[Key, moderngl.Framebuffer] = {}
         self._textures = Textures(self.context)
+        self._tables = Tables(self.context)
         # What the kept passes have drawn: nothing else has drawn to these framebuffers since.
         self._drawn: dict[int, str] = {}
         # How often each pass has run, by its name.
@@ -121,14 +125,14 @@ class Renderer:
         self.make_room()
         programs = [self.program(program) for program in plan["programs"]]
         targets = {name: self.framebuffer(name, target) for name, target in plan["targets"].items()}
-        textures = {name: self._textures.get(t) for name, t in plan["textures"].items()}
+        images = (*self._textures.load(plan), self._tables.load(plan["tables"]))
         self.context.finish()
         start = time.perf_counter()
         for planned in plan["passes"]:
             content = kept(planned, plan)
             key = id(targets[planned["target"]])
             if not content or self._drawn.pop(key, None) != content:
-                self.draw(planned, programs, targets, textures)
+                self.draw(planned, programs, targets, images)
             self._drawn[key] = content
         self.context.finish()
         milliseconds = (time.perf_counter() - start) * 1e3
@@ -183,7 +187,7 @@ class Renderer:
         planned: PlannedPass,
         programs: list[moderngl.Program],
         targets: dict[str, moderngl.Framebuffer],
-        textures: dict[str, Bound],
+        images: Images,
     ) -> None:
         """Run one pass."""
         self.runs[planned["name"]] += 1
@@ -205,7 +209,7 @@ class Renderer:
             for unit, sampler in enumerate(planned["samplers"]):
                 set_uniform(program, sampler, unit)
             self.set_state(batch, target)
-            self.draw_batch(batch, program, textures, len(planned["samplers"]))
+            self.draw_batch(batch, program, images, len(planned["samplers"]))
         target.depth_mask = True
 
     def set_state(self, batch: Batch, target: moderngl.Framebuffer) -> None:
@@ -227,17 +231,24 @@ class Renderer:
         self,
         batch: Batch,
         program: moderngl.Program,
-        textures: dict[str, Bound],
+        images: Images,
         first_unit: int,
     ) -> None:
-        """Draw the meshes of one program; textures take the units from `first_unit` on."""
+        """Draw the meshes of one program; images take the units from `first_unit` on."""
+        textures, arrays, tables = images
         for name, value in batch["uniforms"].items():
             set_uniform(program, name, value)
         for draw in batch["draws"]:
             for name, value in draw["uniforms"].items():
                 set_uniform(program, name, value)
-            for unit, (sampler, name) in enumerate(draw["textures"].items(), first_unit):
-                textures[name].use(unit)
+            # Tables first, on the same units for every draw: they go without the images' samplers.
+            bound: dict[str, Bound | moderngl.Texture] = {
+                **{sampler: tables[name] for sampler, name in draw["tables"].items()},
+                **{sampler: textures[name] for sampler, name in draw["textures"].items()},
+                **{sampler: arrays[name] for sampler, name in draw["arrays"].items()},
+            }
+            for unit, (sampler, image) in enumerate(bound.items(), first_unit):
+                image.use(unit)
                 set_uniform(program, sampler, unit)
             vertices = self.vertices(program, draw["mesh"])
             vertices.render(moderngl.TRIANGLES, vertices=3 if draw["mesh"] is None else -1)
@@ -269,8 +280,14 @@ def kept(planned: PlannedPass, plan: Plan) -> str:
     """All that the picture of a pass to keep depends on; of another pass, nothing."""
     if not planned["keep"]:
         return ""
-    programs = [plan["programs"][batch["program"]] for batch in planned["batches"]]
-    return json.dumps([planned, plan["textures"], programs])
+    batches = planned["batches"]
+    programs = [plan["programs"][batch["program"]] for batch in batches]
+    draws = [draw for batch in batches for draw in batch["draws"]]
+    # A table that others read may change with every picture.
+    textures = {name: plan["textures"][name] for d in draws for name in d["textures"].values()}
+    arrays = {name: plan["arrays"][name] for d in draws for name in d["arrays"].values()}
+    tables = {name: plan["tables"][name] for d in draws for name in d["tables"].values()}
+    return json.dumps([planned, textures, arrays, tables, programs])
 
 
 def set_uniform(program: moderngl.Program, name: str, value: list[float] | int) -> None:

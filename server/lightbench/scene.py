@@ -14,6 +14,7 @@ from pydantic import (
 
 from lightbench.errors import SceneError, shown
 from lightbench.scene_lights import Light
+from lightbench.scene_parts import MOST_PARTS, Part, check_parents
 from lightbench.scene_surfaces import Material, MeshAsset, Texture
 from lightbench.scene_types import (
     SHORTEST,
@@ -31,7 +32,8 @@ __all__ = ["Camera", "Object", "Scene"]
 
 
 class Camera(BaseModel):
-    """A perspective camera whose `fov` is vertical, or an orthographic one of `height` metres.
+    """A perspective camera whose `fov` is that of the picture's height or width, or an orthographic
+    one of `height` metres. In a `mirrored` one, right is left: a left-handed world.
 
     `light` names a light that the picture is taken from instead, with all that it reaches in sight.
     """
@@ -44,6 +46,8 @@ class Camera(BaseModel):
     fov: Annotated[
         float, Field(ge=1, le=170, allow_inf_nan=False, json_schema_extra=field("deg", (10, 120)))
     ] = 45
+    fov_of: Literal["height", "width"] = "height"
+    mirrored: bool = False
     projection: Literal["perspective", "orthographic"] = "perspective"
     height: Annotated[
         float,
@@ -73,8 +77,9 @@ class Object(BaseModel):
 
     model_config = WHOLE
 
-    shape: Literal["plane", "cube", "sphere", "cone", "mesh"]
+    shape: Literal["plane", "cube", "sphere", "cone", "triangle", "mesh"]
     mesh: Annotated[Name | None, BeforeValidator(auto)] = None
+    corners: Annotated[tuple[Vec3, Vec3, Vec3] | None, BeforeValidator(auto)] = None
     material: Name
     position: Vec3 = (0, 0, 0)
     rotation: Euler = (0, 0, 0)
@@ -88,6 +93,8 @@ class Object(BaseModel):
             raise ValueError("scale: each factor must be at least 1e-6")
         if (self.shape == "mesh") != (self.mesh is not None):
             raise ValueError("mesh: name one with shape mesh, and with no other")
+        if (self.shape == "triangle") != (self.corners is not None):
+            raise ValueError("corners: give three with shape triangle, and with no other")
         return self
 
 
@@ -111,6 +118,7 @@ class Scene(BaseModel):
     materials: dict[Name, Material]
     objects: dict[Name, Object]
     lights: dict[Name, Light] = {}
+    parts: Annotated[dict[Name, Part], Field(max_length=MOST_PARTS)] = {}
     settings: dict[str, float | int | bool | str] = {}
 
     @model_validator(mode="before")
@@ -137,6 +145,7 @@ class Scene(BaseModel):
         for where, camera in {"camera": self.camera, **self.views}.items():
             if camera.light is not None:
                 _known(f"{where}.light", "light", camera.light, self.lights)
+        check_parents(self.parts)
         return self
 
     @classmethod

@@ -21,7 +21,7 @@ Data = dict[str, Any]
 # Endings of the models that are read.
 MODELS = (".glb", ".gltf")
 # What a scene takes from its model entry by entry, and what only as a whole.
-TABLES = ("textures", "meshes", "materials", "objects", "lights", "settings")
+TABLES = ("textures", "meshes", "materials", "objects", "lights", "parts", "settings")
 WHOLE = ("title", "about", "camera")
 
 

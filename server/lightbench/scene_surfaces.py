@@ -103,6 +103,9 @@ class Material(BaseModel):
         | None,
         BeforeValidator(auto),
     ] = None
+    ambient: Color = (0, 0, 0)
+    reflectance: Channel = 0.0
+    transmittance: Channel = 0.0
     emissive: HdrColor = (0, 0, 0)
     opacity: Channel = 1.0
     alpha_mode: Literal["opaque", "mask", "blend"] = "opaque"

@@ -15,9 +15,9 @@ from lightbench.errors import shown
 
 __all__ = [
     "SHORTEST", "WHOLE", "Angle", "Channel", "Color", "Direction", "Eta", "Euler",
-    "Extinction", "Factors", "Finite",
+    "Extinction", "Factors", "Factors2", "Finite",
     "HalfAngle", "HdrColor", "Intensity", "Key", "Length", "Name",
-    "Uv", "Vec3", "auto", "color", "field", "numbers",
+    "Uv", "Vec2", "Vec3", "auto", "color", "field", "numbers",
 ]  # fmt: skip
 
 
@@ -49,18 +49,30 @@ def numbers(value: object, allowed: str = "write x,y,z") -> object:
 
 def _factors(value: object) -> object:
     """Scale factors along x, y and z; a lone number stands for all three."""
-    alone = isinstance(value, int | float) or (isinstance(value, str) and "," not in value)
-    return (value, value, value) if alone else numbers(value)
+    return (value, value, value) if _is_lone(value) else numbers(value)
 
 
-def _pair(value: object) -> object:
+def _is_lone(value: object) -> bool:
+    return isinstance(value, int | float) or (isinstance(value, str) and "," not in value)
+
+
+def _pair(value: object, allowed: str = "write x,y") -> object:
     if not isinstance(value, str):
         return value
     try:
-        u, v = map(float, value.split(","))
+        x, y = map(float, value.split(","))
     except ValueError:
-        raise ValueError(f"{shown(value)} does not parse: write u,v") from None
-    return [u, v]
+        raise ValueError(f"{shown(value)} does not parse: {allowed}") from None
+    return [x, y]
+
+
+def _factors2(value: object) -> object:
+    """Scale factors along x and y; a lone number stands for both."""
+    return (value, value) if _is_lone(value) else _pair(value)
+
+
+def _uv(value: object) -> object:
+    return _pair(value, "write u,v")
 
 
 def auto(value: object) -> object:
@@ -80,6 +92,7 @@ WHOLE = ConfigDict(extra="forbid", frozen=True)
 SHORTEST = 1e-9
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Length = Annotated[float, Field(ge=-1e6, le=1e6, allow_inf_nan=False)]
+Vec2 = Annotated[tuple[Length, Length], BeforeValidator(_pair)]
 Vec3 = Annotated[tuple[Length, Length, Length], BeforeValidator(numbers)]
 Direction = Annotated[
     Vec3, AfterValidator(_not_zero), Field(json_schema_extra={"kind": "direction"})
@@ -100,14 +113,21 @@ HdrColor = Annotated[
 Eta = Annotated[float, Field(ge=1e-2, le=100, allow_inf_nan=False)]
 Extinction = Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)]
 Name = Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9_]*$")]
-Key = Annotated[str, StringConstraints(pattern=r"^(mesh|image)-[0-9a-f]{32}$")]
+Key = Annotated[
+    str, StringConstraints(pattern=r"^(mesh|image-[1-9]\d{0,4}x[1-9]\d{0,4})-[0-9a-f]{32}$")
+]
 Factors = Annotated[
     tuple[Length, Length, Length],
     BeforeValidator(_factors),
     Field(json_schema_extra={"kind": "factors"}),
 ]
+Factors2 = Annotated[
+    tuple[Length, Length],
+    BeforeValidator(_factors2),
+    Field(json_schema_extra={"kind": "factors"}),
+]
 Turn = Annotated[float, Field(ge=-1e4, le=1e4, allow_inf_nan=False)]
-Uv = Annotated[tuple[Turn, Turn], BeforeValidator(_pair)]
+Uv = Annotated[tuple[Turn, Turn], BeforeValidator(_uv)]
 Angle = Annotated[float, Field(ge=-360, le=360, allow_inf_nan=False)]
 Euler = Annotated[tuple[Angle, Angle, Angle], BeforeValidator(numbers)]
 HalfAngle = Annotated[

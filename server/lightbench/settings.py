@@ -181,7 +181,7 @@ def _edited(scene: Scene, edits: Mapping[str, Setting]) -> Scene:
         for key in parents:
             at = at.get(key) if isinstance(at, dict) else None
         group = parents[0]
-        depth = {"camera": 1, "lights": 2, "materials": 2, "objects": 2}.get(group)
+        depth = {"camera": 1, "lights": 2, "materials": 2, "objects": 2, "parts": 2}.get(group)
         if not isinstance(at, dict) or len(parents) != depth:
             raise SettingError(f"no setting '{path}'; {_known_paths(scene)}")
         if last not in at and group not in ("lights", "materials"):
@@ -198,7 +198,8 @@ def _edited(scene: Scene, edits: Mapping[str, Setting]) -> Scene:
 
 def _known_paths(scene: Scene) -> str:
     groups: dict[str, Mapping[str, object]] = {
-        "lights": scene.lights, "materials": scene.materials, "objects": scene.objects
+        "lights": scene.lights, "materials": scene.materials, "objects": scene.objects,
+        "parts": scene.parts,
     }  # fmt: skip
     names = "; ".join(f"{group}: {', '.join(members)}" for group, members in groups.items())
     return f"the scene has camera; {names}"

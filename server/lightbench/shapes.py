@@ -44,7 +44,8 @@ CUBE_TANGENTS = [(0, 0, -1), (0, 0, 1), (1, 0, 0), (1, 0, 0), (1, 0, 0), (-1, 0,
 def mesh(key: str) -> Mesh:
     """The mesh that a key such as "plane", "cube", "icosphere-5" or "cone-16x32" says how to make.
 
-    plane: 1 x 1 in xz at y = 0, facing +y. cube: edge 1, centred. icosphere-LEVEL: radius 1.
+    plane: 1 x 1 in xz at y = 0, facing +y. triangle: the origin and the ends of x and y, facing +z.
+    cube: edge 1, centred. icosphere-LEVEL: radius 1.
     cone-STACKSxSECTORS: base disk of radius 1 at y = 0, apex at y = 1. mesh-HASH: that of a model,
     in the asset store. Raises NotFoundError.
     """
@@ -55,6 +56,8 @@ def mesh(key: str) -> Mesh:
 def _made(key: str) -> Mesh:
     if key == "plane":
         return _quads([(0, 1, 0)], [(1, 0, 0)], offset=0.0)
+    if key == "triangle":
+        return _corner()
     if key == "cube":
         return _quads(CUBE_NORMALS, CUBE_TANGENTS, offset=0.5)
     if match := re.fullmatch(r"icosphere-(\d)", key, re.ASCII):
@@ -66,7 +69,7 @@ def _made(key: str) -> Mesh:
         if stacks <= MAX_STACKS and MIN_SECTORS <= sectors <= MAX_SECTORS:
             return _cone(stacks, sectors)
     raise NotFoundError(
-        f"no mesh {key!r}; meshes are: plane, cube, icosphere-LEVEL (0 to "
+        f"no mesh {key!r}; meshes are: plane, triangle, cube, icosphere-LEVEL (0 to "
         f"{len(ICOSPHERE_ERRORS) - 1}), cone-STACKSxSECTORS "
         f"(1 to {MAX_STACKS} x {MIN_SECTORS} to {MAX_SECTORS})"
     )
@@ -98,6 +101,13 @@ def _quads(normals: list[Direction], tangents: list[Direction], offset: float) -
     faces = np.array([(0, 1, 2), (0, 2, 3)]) + 4 * np.arange(len(n))[:, None, None]
     uvs = np.tile(corners + 0.5, (len(n), 1))
     return _mesh(positions, n.repeat(4, 0), uvs, t.repeat(4, 0), faces.reshape(-1, 3))
+
+
+def _corner() -> Mesh:
+    """The triangle between the origin and the ends of x and y, facing +z."""
+    positions = np.array([(0.0, 0, 0), (1, 0, 0), (0, 1, 0)])
+    normals, tangents = (np.tile(axis, (3, 1)) for axis in ((0.0, 0, 1), (1.0, 0, 0)))
+    return _mesh(positions, normals, positions[:, :2], tangents, np.array([(0, 1, 2)]))
 
 
 def _icosahedron() -> tuple[Floats, Ints]:

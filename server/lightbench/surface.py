@@ -26,6 +26,7 @@ SOURCES = {
     "kd": ("base_color", "metalness"),
     "ks": ("base_color", "metalness", "roughness"),
     "shininess": ("roughness",),
+    "ambient": (),
     "eta": ("base_color", "metalness"),
     "k": ("base_color", "metalness"),
 }

@@ -205,8 +205,16 @@ def _functions(library: Library, path: str) -> list[str]:
         return []
     if folder is None:
         return list(file.functions) if contract_key(path) == path.removesuffix(".glsl") else []
+    if len(_inputs(library, path)) < len(("x", "y")) or _asks_scene(library, path):
+        return []  # of one input there is no map
     names = same_arguments(folder.function, folder.optional)
     return [name for name in names if name in file.functions]
+
+
+def _asks_scene(library: Library, path: str) -> bool:
+    """Whether a file has a uniform that only a scene gives."""
+    given = {f"u_{name}" for file in library.files.values() for name in file.meta.parameters}
+    return not set(source_of(library, path, {})[0].uniforms) <= given
 
 
 def _inputs(library: Library, path: str) -> Inputs:

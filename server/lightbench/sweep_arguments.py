@@ -142,7 +142,7 @@ BUILDERS: dict[str, Callable[[Values], list[Argument]]] = {
         _single(0.0 * v["NoL"] + 0.02),
         _single(v["NoL"]),
     ],
-    "ambients": lambda v: [_material(v, base_color=_color(v))],
+    "ambients": lambda v: [_material(v, base_color=_color(v), ambient=_color(v))],
     "tonemaps": lambda v: [_color(v)],
     "transfers": lambda v: [_color(v)],
     "views": lambda v: [_color(v)],

@@ -12,15 +12,26 @@ import numpy as np
 from lightbench import matrix
 from lightbench.bounds import bounding_sphere, distance
 from lightbench.library import Library
+from lightbench.placement import model_matrix, normal_matrix
 from lightbench.scene import Object, Scene
 from lightbench.scene_lights import DirectionalLight, PointLight, SpotLight
 from lightbench.scene_surfaces import Map, Material
 from lightbench.settings import Resolved
-from lightbench.viewpoint import LightMap, Viewpoint
+from lightbench.viewpoint import LightMap, Viewpoint, primary_rays
 
 __all__ = [
-    "DRAW_NAMES", "draw_values", "float32", "frame_values", "front_to_back", "light_values",
-    "map_values", "mesh_key", "parameter_values", "texture_transform",
+    "DRAW_NAMES",
+    "Values",
+    "draw_values",
+    "float32",
+    "frame_values",
+    "front_to_back",
+    "light_values",
+    "map_values",
+    "material_values",
+    "mesh_key",
+    "parameter_values",
+    "texture_transform",
 ]  # fmt: skip
 
 Values = dict[str, list[float]]
@@ -52,7 +63,13 @@ def frame_values(viewpoint: Viewpoint, scene: Scene, size: Sequence[int]) -> Val
     """Uniforms of the camera and of the target's size."""
     camera = scene.camera
     back = matrix.normalize(matrix.subtract(camera.eye, camera.target))
-    return _uniforms({"view_projection": viewpoint.matrix, "to_eye": back, "resolution": size})
+    return _uniforms({
+        "view_projection": viewpoint.matrix,
+        "to_eye": back,
+        "resolution": size,
+        "background": scene.background,
+        **primary_rays(camera, size),
+    })  # fmt: skip
 
 
 def map_values(viewpoint: Viewpoint, light: LightMap) -> Values:
@@ -72,7 +89,7 @@ def light_values(
         for name, parameter in file.meta.parameters.items()
         if parameter.per == "light" and name in resolved.values
     }
-    values: Values = {}
+    values: Values = {"u_lights_total": float32(_total(resolved.scene))}
     for index, light in enumerate(resolved.scene.lights.values()):
         own = _light(light, eye)
         for name in per_light:
@@ -84,6 +101,14 @@ def light_values(
     return values
 
 
+def _total(scene: Scene) -> list[float]:
+    """What all lights have together, per channel."""
+    total = [0.0, 0.0, 0.0]
+    for light in scene.lights.values():
+        total = [t + c * light.intensity for t, c in zip(total, light.color, strict=True)]
+    return total
+
+
 def _map_of(light: LightMap, eye: Sequence[float]) -> Values:
     values = {"far": [light.far], "texel": [light.texel]}
     if light.to_clip is not None:
@@ -93,21 +118,20 @@ def _map_of(light: LightMap, eye: Sequence[float]) -> Values:
 
 
 MATERIAL_NAMES = (
-    "base_color", "metalness", "roughness", "f0", "eta", "k", "kd", "ks", "shininess",
+    "base_color", "metalness", "roughness", "f0", "eta", "k", "kd", "ks", "shininess", "ambient",
     "dielectric_f0",
     "emissive", "opacity", "alpha_cutoff", "normal_scale", "occlusion_strength",
 )  # fmt: skip
 # Names of the uniforms that each object has its own value of.
-DRAW_NAMES = {f"u_{name}" for name in ("model", "normal_matrix", "gap", *MATERIAL_NAMES)}
+DRAW_NAMES = {f"u_{name}" for name in ("model", "normal_matrix", "gap", "object", *MATERIAL_NAMES)}
 
 
 def draw_values(scene: Scene, thing: Object, origin: Sequence[float]) -> Values:
     """Uniforms of one object, its place relative to `origin`."""
-    position = matrix.subtract(thing.position, origin)
     return _uniforms({
-        "model": matrix.compose(position, thing.rotation, thing.scale),
-        "normal_matrix": matrix.normal_matrix(thing.rotation, thing.scale),
-        **_material(scene.materials[thing.material]),
+        "model": model_matrix(thing, origin),
+        "normal_matrix": normal_matrix(thing),
+        **material_values(scene.materials[thing.material]),
     })  # fmt: skip
 
 
@@ -182,7 +206,7 @@ def _versine(degrees: float) -> float:
     return 2 * sine * sine
 
 
-def _material(material: Material) -> dict[str, Sequence[float]]:
+def material_values(material: Material) -> dict[str, Sequence[float]]:
     """GLSL's material fields; classic ones follow from the physical ones unless given.
 
     kd and ks are reflectances in a scene and 1/sr in a shader, hence the division by pi. The
@@ -211,6 +235,7 @@ def _material(material: Material) -> dict[str, Sequence[float]]:
         "kd": [k / math.pi for k in kd],
         "ks": [k / math.pi for k in ks],
         "shininess": [shininess],
+        "ambient": [k / math.pi for k in material.ambient],
         "dielectric_f0": given,
         "emissive": material.emissive,
         "opacity": [material.opacity],

@@ -15,6 +15,7 @@ from lightbench.scene_lights import DirectionalLight, Light, SpotLight
 
 __all__ = [
     "LightMap", "Viewpoint", "camera_viewpoint", "casters", "in_sight", "light_camera", "light_map",
+    "primary_rays",
 ]  # fmt: skip
 
 Vector = Sequence[float]
@@ -85,11 +86,36 @@ def camera_viewpoint(scene: Scene, size: Sequence[int]) -> Viewpoint:
         projection = matrix.orthographic(camera.height, aspect, 0.0, far)
         focal = size[1] / camera.height
         return Viewpoint(camera.eye, matrix.multiply(projection, view), focal, orthographic=True)
-    tangent = math.tan(camera.fov * math.pi / 180 / 2)
+    tangent = _tangent(camera, aspect)
     corner = math.sqrt(1 + tangent * tangent * (1 + aspect * aspect))
     near = max(min((d - r for d, r in spans), default=0.0) / corner * 0.99, far * NEAREST)
-    projection = matrix.perspective(camera.fov, aspect, near, far)
+    projection = matrix.square_perspective(tangent, near, far)
+    projection[0] = projection[0] / aspect
+    if camera.mirrored:
+        projection[0] = -projection[0]
     return Viewpoint(camera.eye, matrix.multiply(projection, view), size[1] / (2 * tangent))
+
+
+def _tangent(camera: Camera, aspect: float) -> float:
+    """Of half the angle that the picture's height takes."""
+    tangent = math.tan(camera.fov * math.pi / 180 / 2)
+    return tangent / aspect if camera.fov_of == "width" else tangent
+
+
+def primary_rays(camera: Camera, size: Sequence[int]) -> dict[str, Vector]:
+    """What the rays of a picture are made of: right and up to its border, forward."""
+    aspect = size[0] / size[1]
+    z = matrix.normalize(matrix.subtract(camera.eye, camera.target))
+    x = matrix.normalize(matrix.cross(camera.up, z))
+    y = matrix.cross(z, x)
+    orthographic = camera.projection == "orthographic"
+    half = camera.height / 2 if orthographic else _tangent(camera, aspect)
+    across = -half * aspect if camera.mirrored else half * aspect
+    return {
+        "ray_right": [c * across for c in x],
+        "ray_up": [c * half for c in y],
+        "ray_forward": [-c for c in z],
+    }
 
 
 def light_map(scene: Scene, light: Light, side: int) -> LightMap:

@@ -1,8 +1,12 @@
-// A point that a light shines on: its position about the eye, its normal, the cosine of the light,
-// and how far at most its triangle lies from the surface that it stands for, in metres.
+// A point that a light shines on: its position about the eye and its normal; how far at most its
+// triangle lies from the surface that it stands for, in metres; the number of its object. Of the
+// light: the direction to it, its distance, the cosine at the normal.
 struct Receiver {
     vec3 position;
     vec3 normal;
-    float NoL;
     float gap;
+    int object;
+    vec3 toLight;
+    float distance;
+    float NoL;
 };

@@ -29,3 +29,13 @@ float sphereHit(vec3 origin, vec3 direction, vec3 centre, float radius) {
     }
     return b < 0.0 ? product / root : root;
 }
+
+// Distance along a ray that starts in a sphere, or as good as on it, to where it leaves, or NO_HIT.
+float sphereExit(vec3 origin, vec3 direction, vec3 centre, float radius) {
+    vec3 f = origin - centre;
+    float b = -dot(f, direction);
+    vec3 nearest = f + b * direction;
+    float discriminant = radius * radius - dot(nearest, nearest);
+    float t = b + sqrt(max(discriminant, 0.0));
+    return discriminant >= 0.0 && t > 0.0 ? t : NO_HIT;
+}

@@ -11,11 +11,14 @@ format = "rgba8"
 #if FRAGMENT
 
 #include <view>
+#include <quantisation>
 
 out vec4 o_display;
 
 void main() {
-    o_display = vec4(view(texelFetch(u_linear, ivec2(gl_FragCoord.xy), 0).rgb), 1.0);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 code = view(texelFetch(u_linear, pixel, 0).rgb);
+    o_display = vec4(quantise(code, pixel), 1.0);
 }
 
 #endif

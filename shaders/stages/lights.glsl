@@ -4,6 +4,7 @@ about = "What the surface sends to the viewer of the lights' direct light, light
 ---*/
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
+#include "lib/receiver.glsl"
 #include "stages/light_uniforms.glsl"
 #if !(REFLECTED || TERM || SEEN)
 #include <model>
@@ -18,7 +19,8 @@ about = "What the surface sends to the viewer of the lights' direct light, light
 #include "lib/spot.glsl"
 #endif
 
-uniform float u_gap;
+// Distance of a light that is at none.
+const float FAR_AWAY = 3e38;
 
 #if POSITIONAL_LIGHT_COUNT
 // A light nearer than 1e-12 m stands on the surface: it has no direction and adds nothing.
@@ -31,18 +33,18 @@ vec3 brdfCos(Material m, vec3 l, vec3 v) {
 }
 #endif
 
-// n unit, world; toEye unit, world. Sum over the lights of brdf(l, v) E cos(theta_l). Of a model
+// r has all but what the light adds; toEye unit, world. Sum over the lights of brdf(l, v) E cos(theta_l). Of a model
 // with tones, the tone of the mean level. Of a view of a term or of the shadows, their mean over the
 // lights that the surface faces.
-vec3 fromLights(Material m, vec3 n, vec3 toEye) {
-    mat3 frame = basis(n);
+vec3 fromLights(Material m, Receiver r, vec3 toEye) {
+    mat3 frame = basis(r.normal);
     vec3 v = toEye * frame;
     vec3 sum = vec3(0.0);
     float facing = 0.0;
 #for LIGHTS
     {
 #if @{positional}
-        vec3 offset = u_light@{index}_position - v_position;
+        vec3 offset = u_light@{index}_position - r.position;
         float squared = dot(offset, offset);
         float inverse = inversesqrt(max(squared, MIN_SQUARED_DISTANCE));
         float distance = squared * inverse;
@@ -57,7 +59,14 @@ vec3 fromLights(Material m, vec3 n, vec3 toEye) {
 #else
         float share = 1.0;
 #if @{casts} && !UNSHADOWED
-        share = shadow(@{index}, Receiver(v_position, n, l.z, u_gap));
+        r.toLight = toLight;
+        r.NoL = l.z;
+#if @{positional}
+        r.distance = distance;
+#else
+        r.distance = FAR_AWAY;
+#endif
+        share = shadow(@{index}, r);
 #endif
 #if SEEN
         sum += l.z > 0.0 ? seen(share) : vec3(0.0);

@@ -66,7 +66,9 @@ Material readMaterial(Texels t) {
 #if VARIES_K
     m.k = kOf(facetF0, metalFactor);
 #endif
-#if VARIES_KD && GIVEN_KD
+#if VARIES_KD && MODULATED
+    m.kd = u_kd;
+#elif VARIES_KD && GIVEN_KD
     m.kd = u_kd * tint;
 #elif VARIES_KD
     m.kd = INV_PI * (1.0 - metalFactor) * baseColor;

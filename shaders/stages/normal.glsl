@@ -16,8 +16,14 @@ vec3 readNormal(Texels t, vec3 toEye) {
     n = mappedNormal(v_normal, v_tangent, t.@{texel}.rgb, u_normal_scale);
 #endfor
     n = unitNormal(n, toEye);
-#if DOUBLE_SIDED
+#if UNFLIPPED
+    return n;
+#else
+#if DOUBLE_SIDED && TRACED
+    n = v_front ? n : -n;
+#elif DOUBLE_SIDED
     n = gl_FrontFacing ? n : -n;
 #endif
     return facingNormal(n, toEye);
+#endif
 }

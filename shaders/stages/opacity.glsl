@@ -21,10 +21,14 @@ float readOpacity(Texels t) {
 #if BLEND
     return opacity;
 #else
+#if TRACED
+    return opacity < u_alpha_cutoff ? 0.0 : 1.0;
+#else
     if (opacity < u_alpha_cutoff) {
         discard;
     }
     return 1.0;
+#endif
 #endif
 #else
     return 1.0;

@@ -11,9 +11,19 @@ step    = 1
 label   = "Anisotropic samples at most"
 ---*/
 #include "stages/varyings.glsl"
+#if TEXTURE_COUNT
+#include <mapping>
+#if TRACED
+#include "stages/images.glsl"
+#endif
+#endif
 
 #for TEXTURES
+#if TRACED
+uniform float u_texture@{index};
+#else
 uniform highp sampler2D u_texture@{index};
+#endif
 #if @{transformed}
 uniform mat3 u_texture@{index}_transform;
 #endif
@@ -42,9 +52,22 @@ Texels readTexels() {
     t.unused = 0.0;
 #endif
 #for TEXTURES
+#if MAPPING
+    vec2 uv@{index} = mapping(v_normal);
+#else
     vec2 uv@{index} = v_uv@{uv};
+#endif
+#if TRACED && MAPPING
+    vec4 steps@{index} = vec4(0.0);
+#elif TRACED
+    vec4 steps@{index} = v_uv@{uv}_steps;
+#endif
 #if @{transformed}
     uv@{index} = (u_texture@{index}_transform * vec3(uv@{index}, 1.0)).xy;
+#if TRACED && !MAPPING
+    steps@{index}.xy = mat2(u_texture@{index}_transform) * steps@{index}.xy;
+    steps@{index}.zw = mat2(u_texture@{index}_transform) * steps@{index}.zw;
+#endif
 #endif
 #if @{mirror_u}
     uv@{index}.x = mirrored(uv@{index}.x);
@@ -52,7 +75,11 @@ Texels readTexels() {
 #if @{mirror_v}
     uv@{index}.y = mirrored(uv@{index}.y);
 #endif
+#if TRACED
+    t.texel@{index} = imageAt(u_texture@{index}, uv@{index}, steps@{index});
+#else
     t.texel@{index} = texture(u_texture@{index}, uv@{index});
+#endif
 #endfor
     return t;
 }

@@ -5,6 +5,7 @@ import { LightbenchError } from "./core/errors";
 import { type Mesh, meshesFrom } from "./core/mesh";
 import { plan } from "./core/plan";
 import { resolve } from "./core/settings";
+import { hierarchiesFrom } from "./core/tables";
 import { imagesFrom } from "./core/textures";
 import type { Manifest, Plan, Scene } from "./core/types";
 import { loadManifest } from "./data";
@@ -52,6 +53,7 @@ export class App {
   private readonly assets = {
     mesh: (key: string) => this.mesh(key),
     image: imagesFrom("data/textures"),
+    hierarchy: hierarchiesFrom("data/hierarchies"),
   };
   private readonly opening = new Opening({
     busy: (what) => this.busy.say(what, "model"),

@@ -2,7 +2,7 @@
 import { isTyping } from "./dom";
 import { Fingers } from "./fingers";
 import { Held } from "./held";
-import { type Mode, type ModeName, ORBIT, type Push, together, walking } from "./modes";
+import { type Mode, type ModeName, mirrored, ORBIT, type Push, together, walking } from "./modes";
 import { aimed, between, isOrthographic, type Pose, rounded } from "./orbit";
 
 /** The camera as the page holds it. */
@@ -120,7 +120,8 @@ export class Camera {
   }
 
   private get way(): Mode {
-    return this.modes[this.mode];
+    const mode = this.modes[this.mode];
+    return this.handle.pose().mirrored ? mirrored(mode) : mode;
   }
 
   private pose(): Pose {

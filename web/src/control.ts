@@ -152,13 +152,24 @@ function colorControls(base: Control, node: SchemaNode): Control[] {
 
 /** Three sliders of a point, `reach` metres to each side. */
 export function position(name: string, label: string, reach: number): Control[] {
-  return (["x", "y", "z"] as const).map((part) => ({
+  return onAxes(name, label, reach, ["x", "y", "z"], "m");
+}
+
+/** A slider for each axis, `reach` to each side. */
+export function onAxes(
+  name: string,
+  label: string,
+  reach: number,
+  axes: readonly Part[],
+  unit: string,
+): Control[] {
+  return axes.map((part) => ({
     ...BLANK,
     kind: "number",
     name,
     part,
     label: `${label} ${part}`,
-    unit: "m",
+    unit,
     low: -reach,
     high: reach,
     min: -1e6,

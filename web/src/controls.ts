@@ -15,15 +15,18 @@ import { defaultOf, fieldSchema } from "./fields";
 import { current, type Group, group, type Situation, type Tab } from "./groups";
 import { materialGroups } from "./material_controls";
 import { niceCeiling, niceStep } from "./number";
+import { partGroups } from "./part_controls";
 import { qualityGroups, workOf } from "./pass_controls";
 
 /** The panel's content. */
 export function describe(now: Situation): Group[] {
+  const solid = Object.keys(now.scene.objects).length > 0;
   return [
+    ...partGroups(now),
     ...lightGroups(now),
     ...[...now.plan.settings, ...idle(now)].map((setting) => choiceGroup(now, setting)),
     ...materialGroups(now),
-    cameraGroup(now),
+    ...(solid ? [cameraGroup(now)] : []),
     ...qualityGroups(now),
   ];
 }

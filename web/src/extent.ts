@@ -15,7 +15,7 @@ export function extent(scene: Scene & { meshes?: Record<string, Box> }): number 
   const far = Object.values(scene.objects).flatMap(
     (thing: SceneObject & { mesh?: string | null }) => {
       const box = scene.meshes?.[thing.mesh ?? ""];
-      const radius = box ? reach(box, thing.scale) : null;
+      const radius = box ? reach(box, thing.scale) : cornersReach(thing);
       return thing.position.map(
         (c, axis) => Math.abs(c) + (radius ?? Math.min(thing.scale[axis] ?? 1, LARGEST) / 2),
       );
@@ -25,6 +25,12 @@ export function extent(scene: Scene & { meshes?: Record<string, Box> }): number 
     light.type === "directional" ? [] : light.position.map(Math.abs),
   );
   return niceCeiling(Math.max(1, ...far, ...lights));
+}
+
+/** Farthest that a triangle's corner comes from its origin; null for another shape. */
+function cornersReach({ corners, scale }: SceneObject): number | null {
+  const away = corners?.map((corner) => Math.hypot(...corner.map((c, axis) => c * scale[axis]!)));
+  return away ? Math.max(...away) : null;
 }
 
 /** Farthest that a scaled box comes from its origin, however it is turned. */

@@ -13,7 +13,9 @@ export const AUTO = "auto";
 export function fieldSchema(manifest: Manifest, scene: Scene, name: string): SchemaNode | null {
   const [group = "", member = "", field = ""] = name.split(".");
   const definitions = manifest.schema.$defs ?? {};
-  const kinds: Record<string, string> = { materials: "Material", objects: "Object" };
+  const kinds: Record<string, string> = {
+    ...{ materials: "Material", objects: "Object", parts: "Part" },
+  };
   if (group === "camera") return definitions.Camera?.properties?.[member] ?? null;
   const type = group === "lights" ? scene.lights[member]?.type : undefined;
   const kind = type ? `${type[0]?.toUpperCase()}${type.slice(1)}Light` : kinds[group];
@@ -84,6 +86,7 @@ export function parse(manifest: Manifest, scene: Scene, name: string, text: stri
     return /^(true|1)$/i.test(text);
   if (kind === "color" && isHex(text)) return text.replace("#", "").toLowerCase();
   if (kind === "color" || kind === "array") return numbers(text) ?? text;
+  if (kind === "factors") return factors(text, node) ?? text;
   if (kind === "float" || kind === "int" || kind === "number" || kind === "integer") {
     return number(text) ?? text;
   }
@@ -93,6 +96,12 @@ export function parse(manifest: Manifest, scene: Scene, name: string, text: stri
 function numbers(text: string): number[] | null {
   const parts = text.split(",").map(number);
   return parts.every((part) => part !== null) ? parts : null;
+}
+
+/** A lone factor stands for all. */
+function factors(text: string, { prefixItems = [] }: SchemaNode): number[] | null {
+  const given = numbers(text);
+  return given?.length === 1 ? prefixItems.map(() => given[0]!) : given;
 }
 
 function number(text: string): number | null {

@@ -4,8 +4,9 @@ import type { Choice, Manifest, Plan, Scene } from "./core/types";
 import { defaultOf, type Value, type Values } from "./fields";
 import type { Seat } from "./views";
 
-export type Tab = "model" | "lights" | "material" | "camera" | "picture";
+export type Tab = "parts" | "model" | "lights" | "material" | "camera" | "picture";
 export const TABS: Record<Tab, string> = {
+  parts: "Parts",
   model: "Model",
   lights: "Lights",
   material: "Material",

@@ -63,19 +63,24 @@ function fields(now: Situation, name: string): string[] {
   const read = new Set(now.plan.files.flatMap((path) => now.manifest.files[path]!.meta.material));
   const isAuto = (field: string) => current(now, `materials.${name}.${field}`) === AUTO;
   const wanted = materialFields(read, isAuto);
-  const matters = matter(now.scene.materials[name]!, wanted);
+  const parts = new Set(now.plan.files.flatMap((path) => now.manifest.files[path]!.meta.surface));
+  const matters = matter(now.scene.materials[name]!, wanted, parts);
   return order.filter((field) => matters[field] ?? wanted.has(field));
 }
 
 /** What matters or not by what the material is, whatever else is read of it. */
 function matter(
-  { alpha_mode, unlit, maps }: Material,
+  { alpha_mode, unlit, maps, transmittance }: Material,
   wanted: ReadonlySet<string>,
+  parts: ReadonlySet<string>,
 ): Partial<Record<string, boolean>> {
   const lit = (field: string) => [field, !unlit && wanted.has(field)] as const;
   return {
     ...(unlit ? Object.fromEntries([...wanted].map(lit)) : {}),
     base_color: unlit || wanted.has("base_color"),
+    reflectance: parts.has("mirror"),
+    transmittance: parts.has("mirror"),
+    ior: wanted.has("ior") || (parts.has("mirror") && transmittance > 0),
     emissive: !unlit,
     alpha_mode: true,
     opacity: alpha_mode !== "opaque",

@@ -83,6 +83,18 @@ export function walking(extent: () => number): Mode {
   };
 }
 
+/** The same hands on a picture in which right is left. */
+export function mirrored(mode: Mode): Mode {
+  return {
+    ...mode,
+    drag: (pose, dx, dy) => mode.drag(pose, -dx, dy),
+    slide: (pose, dx, dy) => mode.slide(pose, -dx, dy),
+    pinch: (pose, dx, dy, factor) => mode.pinch(pose, -dx, dy, factor),
+    hold: (pose, { right = 0, left = 0, ...push }, seconds) =>
+      mode.hold(pose, { ...push, right: -right, left: -left }, seconds),
+  };
+}
+
 /** What several keys do together. */
 export function together(pushes: Iterable<Push>): Push {
   const sum: Record<string, number> = {};

@@ -3,12 +3,18 @@ import { vec3 } from "gl-matrix";
 import "./core/matrix"; // vectors of float64
 import { clamp, shorten } from "./number";
 
-/** A camera, as far as hands move it; `fov` is vertical, in degrees, `height` in metres. */
+/**
+ * A camera, as far as hands move it: `fov` in degrees is that of the picture's height or width,
+ * which is `aspect` times the height, `height` in metres. In a mirrored one right is left.
+ */
 export interface Pose {
   eye: readonly number[];
   target: readonly number[];
   up: readonly number[];
   fov: number;
+  fov_of?: "height" | "width";
+  aspect?: number;
+  mirrored?: boolean;
   projection?: "perspective" | "orthographic";
   height?: number | null;
 }
@@ -32,7 +38,13 @@ export function isOrthographic(pose: Pose): boolean {
 /** Metres that the picture's height spans at the target. */
 export function span(pose: Pose): number {
   if (isOrthographic(pose)) return pose.height ?? 1;
-  return 2 * distance(pose) * Math.tan((pose.fov * Math.PI) / 360);
+  return 2 * distance(pose) * tangent(pose);
+}
+
+/** Of half the angle that the picture's height takes. */
+function tangent({ fov, fov_of, aspect = 1 }: Pose): number {
+  const half = Math.tan((fov * Math.PI) / 360);
+  return fov_of === "width" ? half / aspect : half;
 }
 
 /** Turn about the target by two angles in radians, to the left and up. */
@@ -82,7 +94,7 @@ export function focus(pose: Pose, point: readonly number[], height: number): Pos
   const length = vec3.length(direction);
   if (length === 0) return pose;
   if (isOrthographic(pose)) return { ...centred(pose, point), height };
-  const away = height / 2 / Math.tan((pose.fov * Math.PI) / 360);
+  const away = height / 2 / tangent(pose);
   const eye = vec3.scaleAndAdd(vec3.create(), vector(point), direction, away / length);
   return { ...pose, eye: [...eye], target: [...point] };
 }
@@ -118,14 +130,14 @@ export function between(from: Pose, to: Pose, share: number): Pose {
 
 /** The ray through a point of the picture: x and y from -1 to 1, y up; `along` is a unit vector. */
 export function ray(
-  pose: Pose,
-  aspect: number,
+  { aspect = 1, ...pose }: Pose,
   x: number,
   y: number,
 ): { from: number[]; along: number[] } {
   const { across, upright, ahead } = screenAxes(pose);
-  const half = isOrthographic(pose) ? span(pose) / 2 : Math.tan((pose.fov * Math.PI) / 360);
-  const offset = vec3.scale(vec3.create(), across, x * half * aspect);
+  const half = isOrthographic(pose) ? span(pose) / 2 : tangent({ ...pose, aspect });
+  const wide = pose.mirrored ? -half * aspect : half * aspect;
+  const offset = vec3.scale(vec3.create(), across, x * wide);
   vec3.scaleAndAdd(offset, offset, upright, y * half);
   if (isOrthographic(pose)) {
     return { from: [...vec3.add(offset, offset, vector(pose.eye))], along: [...ahead] };

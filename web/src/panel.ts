@@ -111,6 +111,7 @@ export class Panel {
       this.tabs.offer(tab, own.length > 0);
       this.build(page, own);
     }
+    this.tabs.settle();
   }
 
   /** Whether the rows are those for this: where the camera stands changes none of them. */
@@ -209,9 +210,9 @@ export class Panel {
     return map ? texture(scene.textures[map.texture]!.image) : null;
   }
 
-  /** Of several lights or materials one stands open; a choice without a choice stays closed. */
+  /** Of several lights, materials or parts one stands open; a choice without a choice stays closed. */
   private keepFold(fold: GUI, group: Group, all: Group[]): void {
-    const many = group.id.startsWith("lights.") || group.id.startsWith("materials.");
+    const many = /^(lights|materials|parts)\./.test(group.id);
     const chosen =
       group.tab === "material" ? `materials.${this.pointed ?? this.prominent()}` : all[0]?.id;
     const idle = group.choice?.options.length === 1 && !group.controls.length;

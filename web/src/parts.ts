@@ -1,11 +1,12 @@
-// Sliders that hold a part of a value: an axis of a position, an angle of a direction, the
-// brightness of a colour.
+// Sliders that hold a part of a value: an axis of a position, all factors of a scale at once, an
+// angle of a direction, the brightness of a colour.
 import { fromHex, hue, isHex, level, toHex } from "./color";
 import type { Value } from "./fields";
 import { shorten } from "./number";
 
 export type Part =
   | ("x" | "y" | "z")
+  | "all"
   | ("red" | "green" | "blue")
   | "azimuth"
   | "elevation"
@@ -41,11 +42,11 @@ export function writePart(value: Value, part: Part, next: number | string): Valu
   if (part === "level") return hue(v).map((c) => shorten(c * number, 6));
   if (part === "azimuth") return direction(number, Number(readPart(v, "elevation")));
   if (part === "elevation") return direction(Number(readPart(v, "azimuth")), number);
-  return v.map((c, axis) => (axis === placeOf(part) ? number : c));
+  return v.map((c, axis) => (part === "all" || axis === placeOf(part) ? number : c));
 }
 
 function placeOf(part: Part): number {
-  return Math.max(AXES.indexOf(part), CHANNELS.indexOf(part));
+  return Math.max(0, AXES.indexOf(part), CHANNELS.indexOf(part));
 }
 
 /** Unit vector of two angles in degrees: azimuth from z towards x, elevation from the ground up. */

@@ -1,6 +1,7 @@
 // Which object a ray meets first, by the exact shapes and by the triangles of meshes.
 import { mat4, vec3 } from "gl-matrix";
 import type { Mesh } from "./core/mesh";
+import { modelMatrix } from "./core/placement";
 import type { Material, MeshAsset, Scene, SceneObject } from "./core/types";
 import { meetBox, meetMesh } from "./triangles";
 
@@ -72,6 +73,7 @@ function ofMesh(
 
 /** From an object's own space to the world's. */
 export function matrix(object: SceneObject): mat4 {
+  if (object.shape === "triangle") return [...modelMatrix(object, [0, 0, 0])] as mat4;
   const [x = 0, y = 0, z = 0] = object.rotation.map((angle) => (angle * Math.PI) / 180);
   const m = mat4.fromTranslation(mat4.create(), object.position as vec3);
   mat4.rotateZ(m, m, z);
@@ -115,6 +117,10 @@ function crossings(shape: SceneObject["shape"], from: Vector, along: Vector): Cr
   }
   const inside = (t: number, skip: number) =>
     at(t).every((c, axis) => axis === skip || Math.abs(c) <= 0.5);
+  if (shape === "triangle") {
+    const beside = ([x = 0, y = 0]: number[]) => x >= 0 && y >= 0 && x + y <= 1;
+    return flat(from, along, 2, 0, 1).filter(([t]) => beside(at(t)));
+  }
   if (shape === "plane") return flat(from, along, 1, 0, 1).filter(([t]) => inside(t, 1));
   return [0, 1, 2].flatMap((axis) =>
     [-1, 1].flatMap((sign) =>

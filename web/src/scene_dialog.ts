@@ -1,8 +1,10 @@
 // The dialog of scenes: the models that were opened here, the presets, and a way to open a model.
 import type { App } from "./app";
+import { words } from "./control";
 import { openDialog } from "./dialog";
 import { make } from "./dom";
 import { openButton } from "./drop";
+import { presetAt, presetFolders } from "./scenes";
 
 /** A scene in the dialog. */
 interface Card {
@@ -13,6 +15,8 @@ interface Card {
   key?: string;
 }
 
+const DIGITS = [..."123456789"];
+
 /** Presets and opened models with their pictures. */
 export function chooseScene(app: App): void {
   const show = (cards: Card[]) => {
@@ -22,12 +26,13 @@ export function chooseScene(app: App): void {
   const opened = app.scenes.opened.map(({ name, file, scene }) => ({
     ...{ name, title: file, about: scene.about },
   }));
-  const presets = Object.entries(app.manifest.scenes).map(([name, { title, about }], index) => ({
-    ...{ name, title: title || name, about },
-    ...(index < 9 ? { key: `${index + 1}` } : {}),
-  }));
   const models = [make("h3", {}, "Opened here, until this page is closed"), show(opened)];
-  const content = [...(opened.length ? [...models, make("h3", {}, "Presets")] : []), show(presets)];
+  const presets = [...presetFolders(app.manifest)].flatMap(([folder, names]) => {
+    const heading = folder ? words(folder) : opened.length ? "Presets" : "";
+    const cards = show(names.map((name) => preset(app, name)));
+    return heading ? [make("h3", {}, heading), cards] : [cards];
+  });
+  const content = [...(opened.length ? models : []), ...presets];
   const dialog = openDialog("Scenes", "scenes", ...content);
   const take: typeof app.open = (files) => {
     dialog.close();
@@ -35,6 +40,12 @@ export function chooseScene(app: App): void {
   };
   dialog.querySelector("h2")!.after(openButton(take));
   dialog.querySelector<HTMLElement>("[aria-current]")?.focus();
+}
+
+function preset({ manifest }: App, name: string): Card {
+  const { title, about } = manifest.scenes[name]!;
+  const digit = DIGITS.find((key) => presetAt(manifest, Number(key)) === name);
+  return { name, title: title || name, about, ...(digit ? { key: digit } : {}) };
 }
 
 function cardOf(app: App, card: Card, close: () => void): HTMLElement {
@@ -46,7 +57,7 @@ function cardOf(app: App, card: Card, close: () => void): HTMLElement {
   const picture = source
     ? make("img", { src: source, alt: "", width: 192, height: 144, loading: "lazy" })
     : make("span", { class: "blank" });
-  const words = make(
+  const text = make(
     "span",
     { class: "words" },
     make("strong", {}, card.title),
@@ -58,6 +69,6 @@ function cardOf(app: App, card: Card, close: () => void): HTMLElement {
     "button",
     { type: "button", class: "scene", "aria-current": current, click },
     picture,
-    words,
+    text,
   );
 }

@@ -1,5 +1,5 @@
 // The scenes of a session: the presets, loaded when they are asked for, and the models opened here.
-import type { Scene } from "./core/types";
+import type { Manifest, Scene } from "./core/types";
 import { loadScene, thumbnail } from "./data";
 
 /** A model of a person's own: its file's name, its scene, and its picture once it was drawn. */
@@ -16,6 +16,21 @@ const MARK = "/";
 /** Whether a scene is a model opened here, which no link leads to. */
 export function isOpened(name: string): boolean {
   return name.startsWith(MARK);
+}
+
+/** The presets by the folder that they are in, those in none first. */
+export function presetFolders({ scenes }: Pick<Manifest, "scenes">): Map<string, string[]> {
+  const found = new Map<string, string[]>([["", []]]);
+  for (const name of Object.keys(scenes)) {
+    const folder = name.slice(0, Math.max(name.lastIndexOf("/"), 0));
+    found.set(folder, [...(found.get(folder) ?? []), name]);
+  }
+  return found;
+}
+
+/** The preset that a digit leads to; undefined where there are not as many. */
+export function presetAt(manifest: Pick<Manifest, "scenes">, digit: number): string | undefined {
+  return [...presetFolders(manifest).values()].flat()[digit - 1];
 }
 
 export class Scenes {

@@ -8,6 +8,8 @@ export class Tabs {
   readonly pages = new Map<Tab, HTMLElement>();
   private readonly buttons = new Map<Tab, HTMLButtonElement>();
   private shown: Tab = "model";
+  /** The one that was asked for, shown wherever it has content. */
+  private wanted: Tab;
 
   constructor(
     root: HTMLElement,
@@ -28,7 +30,8 @@ export class Tabs {
       this.pages.set(tab, page);
     }
     const last = recall<Tab>("tab", "model");
-    this.show(this.buttons.has(last) ? last : "model");
+    this.wanted = this.buttons.has(last) ? last : "model";
+    this.show(this.wanted);
   }
 
   get selected(): Tab {
@@ -40,7 +43,15 @@ export class Tabs {
     this.buttons.get(tab)!.hidden = !offered;
   }
 
+  /** Show the tab that was asked for; where it has no content, the first that has. */
+  settle(): void {
+    const offered = [...this.buttons.keys()].filter((tab) => !this.buttons.get(tab)!.hidden);
+    const tab = offered.includes(this.wanted) ? this.wanted : offered[0];
+    if (tab && tab !== this.shown) this.show(tab);
+  }
+
   private select(tab: Tab): void {
+    this.wanted = tab;
     this.show(tab);
     remember("tab", tab);
     this.changed();

@@ -1,9 +1,11 @@
 // The bar's buttons and the page's keys.
 import type { App } from "./app";
+import type { Use } from "./calibration";
 import { copyText, showHelp, showSources } from "./dialog";
 import { byId, isTyping } from "./dom";
 import { recall, remember } from "./memory";
 import { chooseScene } from "./scene_dialog";
+import { presetAt } from "./scenes";
 import { canvasOf } from "./snapshot";
 
 const UNSHARED = "No link leads to this picture: the model is a file of your own";
@@ -26,6 +28,12 @@ export function addTools(app: App): void {
       () => app.notices.fail("The atlas could not be loaded. Reload the page to try again."),
     );
   });
+  button("display", () => {
+    import("./calibration").then(
+      ({ showCalibration }) => showCalibration(useOf(app)),
+      () => app.notices.fail("The calibration could not be loaded. Reload the page to try again."),
+    );
+  });
   button("save", () => void save(app));
   const share = button("share", async () => {
     const copied = await copyText(app.link.flush());
@@ -46,6 +54,16 @@ export function addTools(app: App): void {
   window.addEventListener("keydown", (event) => key(app, event), { capture: true });
 }
 
+/** What a gamma is for: the transfer of that name, where the menu has it. */
+function useOf(app: App): Use {
+  const { range } = app.manifest.files["transfers/gamma.glsl"]?.meta.parameters.gamma ?? {};
+  const use = (gamma: number) => {
+    const { scene, settings } = app.store.state;
+    app.store.set({ scene, settings: { ...settings, transfer: "gamma", gamma } });
+  };
+  return { range: range ?? [0, 0], use };
+}
+
 function key(app: App, event: KeyboardEvent): void {
   const command = event.ctrlKey || event.metaKey;
   const letter = event.key.toLowerCase();
@@ -56,7 +74,7 @@ function key(app: App, event: KeyboardEvent): void {
   } else if (command && letter === "y") app.store.redo();
   else if (command || event.altKey) return;
   else if (/^[1-9]$/.test(letter)) {
-    const name = Object.keys(app.manifest.scenes)[Number(letter) - 1];
+    const name = presetAt(app.manifest, Number(letter));
     if (name) app.choose(name);
   } else if (letter === "h") hidePanel(!document.body.classList.contains("no-panel"));
   else if (letter === "?") showHelp(app.store.state, app.file);

@@ -51,7 +51,7 @@ export class Viewpoint {
     private readonly page: Scenery,
   ) {
     this.camera = new Camera(canvas, {
-      pose: () => page.scene().camera,
+      pose: () => this.pose(),
       move: (pose) => this.move(pose),
       release: (milliseconds) => store.release(milliseconds),
       point: (x, y, twice) => this.point(x, y, twice),
@@ -120,9 +120,14 @@ export class Viewpoint {
     this.pad.show(mode === "walk");
   }
 
+  private pose(): Pose {
+    return { ...this.page.scene().camera, aspect: this.canvas.width / this.canvas.height };
+  }
+
   private move(pose: Pose): void {
     if (!this.page.loaded()) return;
-    const edits = Object.entries(pose).map(([field, value]): [string, Value] => [
+    const { aspect: _, ...camera } = pose;
+    const edits = Object.entries(camera as Pose).map(([field, value]): [string, Value] => [
       `camera.${field}`,
       value ?? AUTO,
     ]);
@@ -146,14 +151,14 @@ export class Viewpoint {
 
   private hit(x: number, y: number): Hit | null {
     const scene = this.page.scene();
-    const { from, along } = ray(scene.camera, this.canvas.width / this.canvas.height, x, y);
+    const { from, along } = ray(this.pose(), x, y);
     return pick(scene, from, along, this.page.mesh);
   }
 
   /** A broad thing is looked at where it was pointed at, a solid one at its middle. */
   private closeUp({ object, point, distance: away }: Hit): Pose {
     const scene = this.page.scene();
-    const { camera } = scene;
+    const camera = this.pose();
     if (isBroad(scene, object)) {
       const height = isOrthographic(camera)
         ? span(camera)

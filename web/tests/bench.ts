@@ -40,6 +40,9 @@ const number = (minimum: number, maximum: number): SchemaNode => ({
 });
 const orAuto = (node: SchemaNode): SchemaNode => ({ anyOf: [node, { type: "null" }] });
 const color = point(0, 1, "color");
+const pair: SchemaNode = {
+  ...{ type: "array", prefixItems: [number(-1e6, 1e6), number(-1e6, 1e6)] },
+};
 
 const schema: SchemaNode = {
   $defs: {
@@ -73,6 +76,15 @@ const schema: SchemaNode = {
         occlusion_strength: number(0, 1),
         maps: { type: "object" },
         library: orAuto({ type: "string" }),
+      },
+    },
+    Part: {
+      properties: {
+        position: pair,
+        rotation: { ...number(-360, 360), unit: "deg", slider: [-180, 180] },
+        scale: { ...pair, kind: "factors" },
+        color: point(0, 1e30, "color"),
+        width: { ...number(1, 64), unit: "px", slider: [1, 16] },
       },
     },
     SpotLight: {
@@ -152,7 +164,9 @@ export const manifest: Manifest = {
   schema,
 };
 
-const lens = { projection: "perspective", height: 5, light: null } as const;
+const lens: Omit<Scene["camera"], "eye" | "target" | "up" | "fov"> = {
+  ...{ fov_of: "height", mirrored: false, projection: "perspective", height: 5, light: null },
+};
 
 export const scene: Scene = {
   title: "Room",
@@ -175,6 +189,9 @@ export const scene: Scene = {
       kd: null,
       ks: null,
       shininess: null,
+      ambient: [0, 0, 0],
+      reflectance: 0,
+      transmittance: 0,
       emissive: [0, 0, 0],
       opacity: 1,
       alpha_mode: "opaque",
@@ -187,10 +204,12 @@ export const scene: Scene = {
       library: null,
     },
   },
+  parts: {},
   objects: {
     ball: {
       shape: "sphere",
       mesh: null,
+      corners: null,
       material: "wall",
       position: [0, 0, 0],
       rotation: [0, 0, 0],
@@ -217,7 +236,11 @@ export const scene: Scene = {
 };
 
 /** A plan in which these choices are in use. */
-export function situation(settings: Values, choices: Record<string, string>): Situation {
+export function situation(
+  settings: Values,
+  choices: Record<string, string>,
+  preset = scene,
+): Situation {
   const folders = Object.entries(manifest.folders);
   const files = folders
     .filter(([, { setting }]) => setting in choices)
@@ -226,6 +249,8 @@ export function situation(settings: Values, choices: Record<string, string>): Si
     size: [4, 3],
     targets: {},
     textures: {},
+    arrays: {},
+    tables: {},
     programs: [],
     passes: [],
     outputs: {},
@@ -233,5 +258,5 @@ export function situation(settings: Values, choices: Record<string, string>): Si
     settings: Object.keys(choices),
     files,
   };
-  return { manifest, scene, preset: scene, settings, plan };
+  return { manifest, scene: preset, preset, settings, plan };
 }

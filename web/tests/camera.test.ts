@@ -1,5 +1,7 @@
 import { expect, test } from "vitest";
 import type { Scene, SceneObject } from "../src/core/types";
+import { extent } from "../src/extent";
+import { mirrored, ORBIT, walking } from "../src/modes";
 import {
   aimed,
   between,
@@ -14,6 +16,7 @@ import {
   zoom,
 } from "../src/orbit";
 import { pick } from "../src/pick";
+import { isBroad, middleOf } from "../src/solid";
 import { scene } from "./bench";
 
 const pose: Pose = { eye: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 90 };
@@ -80,7 +83,7 @@ test("without perspective zoom scales the height and the eye stays", () => {
 });
 
 test("without perspective rays are parallel", () => {
-  const { from, along } = ray(flat, 2, 0.5, -1);
+  const { from, along } = ray({ ...flat, aspect: 2 }, 0.5, -1);
   close(from, [2, -2, 5]);
   close(along, [0, 0, -1]);
 });
@@ -97,7 +100,7 @@ function object(shape: SceneObject["shape"], given: Partial<SceneObject> = {}): 
 }
 
 function hit(objects: Record<string, SceneObject>, x = 0, y = 0) {
-  const { from, along } = ray(pose, 1, x, y);
+  const { from, along } = ray(pose, x, y);
   return pick({ ...scene, objects } as Scene, from, along, () => undefined);
 }
 
@@ -119,6 +122,45 @@ test("a cone is met on its side, below its apex", () => {
   const cone = object("cone", { position: [0, -0.5, 0] });
   expect(hit({ cone })?.distance).toBeCloseTo(4.5, 5);
   expect(hit({ cone }, 0, 0.2)).toBeNull();
+});
+
+test("a triangle is met from its front only, or from both sides, within its edges", () => {
+  const corners: SceneObject["corners"] = [
+    [-1, -1, 1],
+    [3, -1, 1],
+    [-1, 3, 1],
+  ];
+  const wall = object("triangle", { corners, position: [0, 0, -2], scale: [1, 1, 2] });
+  expect(hit({ wall })?.distance).toBeCloseTo(5, 5);
+  expect(hit({ wall }, 0.5, 0.5)).toBeNull();
+  expect(hit({ wall }, -0.25, -0.1)).toBeNull();
+  expect(hit({ wall: { ...wall, rotation: [0, 180, 0] } })).toBeNull();
+  close(middleOf(scene, wall).middle, [1 / 3, 1 / 3, 0]);
+  expect(isBroad(scene, wall)).toBe(true);
+  expect(extent({ ...scene, objects: { wall }, lights: {} })).toBeGreaterThanOrEqual(4);
+});
+
+test("in a mirrored picture hands push the other way, and right is left", () => {
+  const turned: Pose = { ...pose, mirrored: true };
+  expect(ray(turned, 0.3, 0.2)).toEqual(ray(pose, -0.3, 0.2));
+  const hands = mirrored(ORBIT);
+  expect(hands.drag(pose, 0.1, 0.2)).toEqual(ORBIT.drag(pose, -0.1, 0.2));
+  expect(hands.slide(pose, 0.1, 0.2)).toEqual(ORBIT.slide(pose, -0.1, 0.2));
+  expect(hands.pinch(pose, 0.1, 0.2, 0.9)).toEqual(ORBIT.pinch(pose, -0.1, 0.2, 0.9));
+  expect(hands.hold(pose, { left: 1, above: 0.5 }, 0.1)).toEqual(
+    ORBIT.hold(pose, { left: -1, above: 0.5 }, 0.1),
+  );
+  const walk = walking(() => 5);
+  expect(mirrored(walk).hold(pose, { right: 1, ahead: 1 }, 0.1)).toEqual(
+    walk.hold(pose, { right: -1, ahead: 1 }, 0.1),
+  );
+});
+
+test("a field of view may be that of the width", () => {
+  const wide: Pose = { ...pose, fov_of: "width", aspect: 2 };
+  expect(span(wide)).toBeCloseTo(span(pose) / 2, 9);
+  close(ray(wide, 1, 0).along, [Math.SQRT1_2, 0, -Math.SQRT1_2]);
+  expect(distance(focus(wide, [0, 0, 0], 4))).toBeCloseTo(4, 9);
 });
 
 test("the nearest of several counts, scaled and moved", () => {

@@ -4,8 +4,9 @@ import { fieldControls } from "../src/control";
 import { describe as content, tabOf } from "../src/controls";
 import type { LibraryMaterial, Material, Scene, TextureMap } from "../src/core/types";
 import { coupled, derived } from "../src/derived";
-import { defaultOf, type Values } from "../src/fields";
+import { defaultOf, parse, type Values } from "../src/fields";
 import { materialFields } from "../src/material_controls";
+import { readPart, writePart } from "../src/parts";
 import { Store } from "../src/store";
 import { mark, symbolOf } from "../src/symbols";
 import { lightOf, seatsOf } from "../src/views";
@@ -208,4 +209,47 @@ test("a scene is seen from its cameras and its lights", () => {
     "Lights: Light: Lamp",
   ]);
   expect(seats.map(({ name }) => lightOf(name))).toEqual([null, null, "lamp"]);
+});
+
+/** A head with an eye and an antenna. */
+function jointed(settings = {}) {
+  const part = { parent: null, position: [0, 0], rotation: 0, scale: [0.2, 0.1], width: 2 };
+  const parts = {
+    head: { ...part, shape: "square", color: [1, 1, 1] },
+    eye: { ...part, shape: "circle", scale: [0.1, 0.1], parent: "head", color: [1, 0, 0] },
+    antenna: { ...part, shape: "line", parent: "head", color: [1, 1, 1] },
+  };
+  const flat = { ...scene, materials: {}, objects: {}, lights: {}, parts } as unknown as Scene;
+  return situation(settings, {}, flat);
+}
+
+test("a part shows what changes it, and its joint stands first", () => {
+  const groups = content(jointed());
+  expect(groups.slice(0, 4).map(({ id }) => id)).toEqual([
+    ...["joints", "parts.head", "parts.eye", "parts.antenna"],
+  ]);
+  expect(names(groups, "joints")).toEqual(["parts.head.rotation"]);
+  const fields = (name: string) =>
+    names(groups, `parts.${name}`)?.map((field) => field.replace(`parts.${name}.`, ""));
+  const place = ["positionx", "positiony"];
+  const line = ["colorhue", "colorlevel", "width"];
+  expect(fields("head")).toEqual(["rotation", ...place, "scalex", "scaley", ...line]);
+  expect(fields("eye")).toEqual([...place, "scaleall", ...line]);
+  expect(fields("antenna")).toEqual(["rotation", ...place, "scalex", ...line]);
+  expect(groups.find(({ id }) => id === "parts.eye")?.about).toBe("Hangs on: Head.");
+  expect(groups.some(({ tab }) => tab === "camera")).toBe(false);
+});
+
+test("a circle's radius is both of its factors", () => {
+  expect(writePart([0.1, 0.1], "all", 0.3)).toEqual([0.3, 0.3]);
+  expect(readPart([0.1, 0.1], "all")).toBe(0.1);
+  expect(writePart([0.1, 0.2], "y", 0.3)).toEqual([0.1, 0.3]);
+});
+
+test("a link may give one factor for all", () => {
+  const { manifest: menu, scene: flat } = jointed();
+  expect(parse(menu, flat, "parts.eye.scale", "0.3")).toEqual([0.3, 0.3]);
+  expect(parse(menu, flat, "parts.head.scale", "0.3,0.2")).toEqual([0.3, 0.2]);
+  expect(parse(menu, flat, "parts.head.scale", "wide")).toBe("wide");
+  expect(parse(menu, flat, "parts.head.rotation", "30")).toBe(30);
 });

@@ -71,7 +71,7 @@ describe("a packed mesh", () => {
 
 describe("a browser that lacks something", () => {
   const missing = () => Promise.reject(new Error("not there"));
-  const assets = { mesh: missing, image: missing };
+  const assets = { mesh: missing, image: missing, hierarchy: missing };
 
   test("WebGL2", () => {
     const canvas = { getContext: () => null } as unknown as OffscreenCanvas;

@@ -3,6 +3,7 @@ import { Drawing, type Equipment } from "../src/core/drawing";
 import type { Geometry } from "../src/core/geometry";
 import type { CompiledProgram } from "../src/core/program";
 import { same } from "../src/core/same";
+import type { Tables } from "../src/core/tables";
 import type { Framebuffer } from "../src/core/targets";
 import type { Textures } from "../src/core/textures";
 import type { Batch, Plan, PlannedPass } from "../src/core/types";
@@ -17,7 +18,7 @@ function fakeGl() {
 
 const batch: Batch = {
   ...{ program: 0, tile: null, cull: true, blend: null, uniforms: { u_far: [1, 2] } },
-  draws: [{ mesh: "cube", uniforms: {}, textures: {} }],
+  draws: [{ mesh: "cube", uniforms: {}, textures: {}, arrays: {}, tables: {} }],
 };
 
 function pass(given: Partial<PlannedPass> = {}): PlannedPass {
@@ -27,10 +28,14 @@ function pass(given: Partial<PlannedPass> = {}): PlannedPass {
 
 function bench() {
   const { calls, gl } = fakeGl();
-  const nothing = { draw: () => {}, use: () => {}, set: () => {}, bind: () => {} };
-  const drawing = new Drawing(gl, nothing as unknown as Geometry, nothing as unknown as Textures);
+  const bound: unknown[][] = [];
+  const bind = (...given: unknown[]) => void bound.push(given);
+  const nothing = { draw: () => {}, use: () => {}, set: () => {}, bind };
+  const [geometry, textures] = [nothing as unknown as Geometry, nothing as unknown as Textures];
+  const drawing = new Drawing(gl, geometry, textures, nothing as unknown as Tables);
   const target = { size: [8, 4], format: "r32f", depth: true };
-  const plan = { targets: { map: target, picture: target }, textures: {} } as unknown as Plan;
+  const read = { textures: {}, arrays: {}, tables: {} };
+  const plan = { targets: { map: target, picture: target }, ...read } as unknown as Plan;
   const program = nothing as unknown as CompiledProgram;
   const framebuffer = {} as Framebuffer;
   const equipment: Equipment = {
@@ -42,7 +47,7 @@ function bench() {
     drawing.pass(planned, { ...equipment, ...given });
     return drawing.runs[planned.name];
   };
-  return { calls, plan, program, runs, framebuffer };
+  return { calls, bound, plan, program, runs, framebuffer };
 }
 
 test("a pass to keep runs again only when it has changed", () => {
@@ -53,15 +58,39 @@ test("a pass to keep runs again only when it has changed", () => {
   expect(runs(pass())).toBe(3);
 });
 
-test("and for another program, other textures or another target", () => {
-  const { runs, plan, program } = bench();
+test("and for another program or another target", () => {
+  const { runs, program } = bench();
   expect(runs(pass())).toBe(1);
   expect(runs(pass(), { programs: [{ ...program } as CompiledProgram] })).toBe(2);
-  const textures = { bricks: { image: "image-1" } } as unknown as Plan["textures"];
-  const painted = { plan: { ...plan, textures } };
-  expect(runs(pass(), painted)).toBe(3);
-  expect(runs(pass(), painted)).toBe(3);
-  expect(runs(pass(), { framebuffers: new Map([["map", {} as Framebuffer]]) })).toBe(4);
+  expect(runs(pass(), { framebuffers: new Map([["map", {} as Framebuffer]]) })).toBe(3);
+});
+
+test.each(["textures", "arrays", "tables"] as const)("and for other %s that it reads", (kind) => {
+  const { runs, plan } = bench();
+  const draws = [{ ...batch.draws[0]!, [kind]: { u_read: "mine" } }];
+  const reading = () => pass({ batches: [{ ...batch, draws }] });
+  const having = (all: object) => ({ plan: { ...plan, [kind]: all } as unknown as Plan });
+  expect(runs(reading(), having({ mine: { texels: [1] } }))).toBe(1);
+  expect(runs(reading(), having({ mine: { texels: [1] }, other: {} }))).toBe(1);
+  expect(runs(reading(), having({ mine: { texels: [2] } }))).toBe(2);
+});
+
+test("tables take the first units after the targets, then textures and arrays", () => {
+  const { bound, runs, plan } = bench();
+  const named = { textures: { u_t: "t" }, arrays: { u_a: "a" }, tables: { u_o: "o", u_m: "m" } };
+  const there = { textures: { t: 1 }, arrays: { a: 2 }, tables: { o: 3, m: 4 } };
+  const draws = [{ ...batch.draws[0]!, ...named }];
+  const equipment = {
+    plan: { ...plan, ...there } as unknown as Plan,
+    framebuffers: new Map([["map", { texture: {} } as Framebuffer]]),
+  };
+  runs(pass({ samplers: { u_map: "map" }, batches: [{ ...batch, draws }] }), equipment);
+  expect(bound).toEqual([
+    [1, "o", 3],
+    [2, "m", 4],
+    [3, 1],
+    [4, 2],
+  ]);
 });
 
 test("and where something else has drawn since, or to the canvas", () => {

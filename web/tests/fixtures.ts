@@ -67,6 +67,7 @@ const MATERIAL_FIELDS = {
   kd: "vec3",
   ks: "vec3",
   shininess: "float",
+  ambient: "vec3",
 };
 
 export function libraryOf(test: AssemblyCase): Library {

@@ -20,6 +20,7 @@ from lightbench.exact import (
     models,
     outlines,
     shadows,
+    shapes,
     terms,
     views,
 )
@@ -34,6 +35,7 @@ FUNCTIONS: dict[tuple[str, str], Callable[..., Array]] = {
     ("ambients/constant.glsl", "ambient"): light.constant_ambient,
     ("ambients/none.glsl", "ambient"): light.no_ambient,
     ("attenuations/inverse_square.glsl", "attenuation"): light.inverse_square,
+    ("attenuations/none.glsl", "attenuation"): light.as_strong,
     ("attenuations/polynomial.glsl", "attenuation"): light.polynomial,
     ("biases/constant.glsl", "compared"): shadows.constant_bias,
     ("biases/normal_offset.glsl", "compared"): shadows.sloped,
@@ -69,13 +71,26 @@ FUNCTIONS: dict[tuple[str, str], Callable[..., Array]] = {
     ("lib/specular_power.glsl", "specularPower"): terms.specular_power,
     ("lib/sphere.glsl", "sphereHit"): light.sphere_hit,
     ("lib/spot.glsl", "spot"): light.spot,
+    ("lib/strokes.glsl", "circleDistance"): outlines.circle_distance,
+    ("lib/strokes.glsl", "lineDistance"): outlines.segment_distance,
+    ("lib/strokes.glsl", "segmentDistance"): outlines.segment_distance,
+    ("lib/strokes.glsl", "squareDistance"): outlines.square_distance,
+    ("lib/strokes.glsl", "strokeCoverage"): outlines.stroke_coverage,
     ("lib/tangent.glsl", "mappedNormal"): directions.mapped_normal,
     ("lib/tangent.glsl", "unpackNormal"): directions.unpacked_normal,
     ("lib/tone.glsl", "hasTone"): display.has_tone,
+    ("lib/watertight.glsl", "cornersHit"): light.corners_hit,
+    ("lib/watertight.glsl", "edgeSide"): light.edge_side,
+    ("lib/watertight.glsl", "projected"): light.projected,
+    ("mappings/lab.glsl", "mapping"): shapes.arcsines,
+    ("mappings/spherical.glsl", "mapping"): shapes.spherical,
     ("models/blinn_phong.glsl", "brdf"): models.over_cosine(models.blinn_phong_cos),
     ("models/blinn_phong.glsl", "brdfCos"): models.blinn_phong_cos,
     ("models/cook_torrance.glsl", "brdf"): models.cook_torrance,
     ("models/cook_torrance.glsl", "brdfCos"): models.cook_torrance_cos,
+    ("models/lab.glsl", "brdf"): models.over_cosine(models.lab_cos),
+    ("models/lab.glsl", "brdfCos"): models.lab_cos,
+    ("models/lab.glsl", "modulated"): np.multiply,
     ("models/lambert.glsl", "brdf"): models.lambert,
     ("models/phong.glsl", "brdf"): models.over_cosine(models.phong_cos),
     ("models/phong.glsl", "brdfCos"): models.phong_cos,
@@ -101,8 +116,12 @@ for _name, _view in views.VIEWS.items():
     FUNCTIONS[f"views/{_name}.glsl", "view"] = _view
 for (_name, _hook), _shown in views.HOOKS.items():
     FUNCTIONS[f"views/{_name}.glsl", _hook] = _shown
+for (_file, _name), _form in shapes.FORMS.items():
+    FUNCTIONS[f"lib/{_file}.glsl", _name] = _form
 for _name, _transfer in display.TRANSFERS.items():
     FUNCTIONS[f"transfers/{_name}.glsl", "transfer"] = _transfer
+for _name, _quantisation in display.QUANTISATIONS.items():
+    FUNCTIONS[f"quantisations/{_name}.glsl", "quantise"] = _quantisation
 for _file, _name, _lambda in (
     ("lambda_beckmann", "Beckmann", facets.lambda_beckmann),
     ("lambda_beckmann_exact", "BeckmannExact", facets.lambda_beckmann_exact),

@@ -1,4 +1,4 @@
-"""From radiance to display code, in float64: tone curves, transfers, views."""
+"""From radiance to display code, in float64: tone curves, transfers, levels, views."""
 
 from __future__ import annotations
 
@@ -52,7 +52,14 @@ def srgb_code(linear: Array) -> Array:
     return np.where(c <= 0.0031308, 12.92 * c, 1.055 * c ** (1.0 / 2.4) - 0.055)
 
 
+def white_above_1(radiance: Array) -> Array:
+    """White where a channel is above 1 and all are a picture's light."""
+    over = (np.max(radiance, axis=-1) > 1.0) & (invalid(radiance) == 0.0)
+    return np.where(column(over), 1.0, radiance)
+
+
 TONEMAPS: dict[str, Callable[..., Array]] = {
+    "lab_white": white_above_1,
     "none": identity,
     "reinhard": reinhard,
     "reinhard_extended": reinhard_extended,
@@ -62,6 +69,38 @@ TRANSFERS: dict[str, Callable[..., Array]] = {
     "linear": displayed,
     "srgb": srgb_code,
     "srgb_pow": srgb_code,
+}
+
+
+def rounded(code: Array, pixel: Array) -> Array:
+    """The code as it is: the target rounds it."""
+    return code
+
+
+def truncated(code: Array, pixel: Array) -> Array:
+    """floor(255 c) / 255."""
+    return np.floor(255.0 * code) / 255.0
+
+
+def bayer(side: int) -> Array:
+    """Ranks 0 to side^2 - 1, [y, x], by M_2n = [[4M, 4M + 2], [4M + 3, 4M + 1]]: Bayer 1973."""
+    if side == 1:
+        return np.zeros((1, 1))
+    part = 4.0 * bayer(side // 2)
+    return np.block([[part, part + 2.0], [part + 3.0, part + 1.0]])
+
+
+def dithered(code: Array, pixel: Array) -> Array:
+    """floor(255 c + (M + 1/2) / 64) / 255, M of the pixel in the 8 x 8 matrix."""
+    x, y = pixel.astype(int).T % 8
+    threshold = (bayer(8)[y, x] + 0.5) / 64.0
+    return np.asarray(np.floor(255.0 * code + threshold[:, None]) / 255.0)
+
+
+QUANTISATIONS: dict[str, Callable[..., Array]] = {
+    "ordered": dithered,
+    "round": rounded,
+    "truncate": truncated,
 }
 
 

@@ -49,6 +49,14 @@ def blinn_phong_cos(m: Material, l: Array, v: Array) -> Array:
     return above(l, v) * (m["kd"] * column(unit(l)[..., 2]) + m["ks"] * column(lobe))
 
 
+def lab_cos(m: Material, l: Array, v: Array) -> Array:
+    """kd [n.l] + ks [n.h]^s where n.l > 0.001, a cosine up to 0.001 being none."""
+    up = half_vector(l, v)[..., 2]
+    lobe = np.where(up > 1e-3, np.maximum(up, 1e-3) ** m["shininess"], 0.0)
+    lit = m["kd"] * l[..., 2:] + m["ks"] * column(lobe)
+    return np.where(l[..., 2:] > 1e-3, lit, 0.0)
+
+
 Color = tuple[float, float, float]
 
 

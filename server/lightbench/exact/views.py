@@ -18,6 +18,7 @@ AMBIENTS: dict[str, Callable[..., Array]] = {"constant": constant_ambient, "none
 MODELS: dict[str, Callable[..., Array]] = {
     "blinn_phong": models.over_cosine(models.blinn_phong_cos),
     "cook_torrance": models.cook_torrance,
+    "lab": models.over_cosine(models.lab_cos),
     "lambert": models.lambert,
     "phong": models.over_cosine(models.phong_cos),
     "toon": models.over_cosine(models.toon_cos),
@@ -39,6 +40,15 @@ def color_view(radiance: Array, transfer: str = "srgb") -> Array:
 def signed_view(vector: Array) -> Array:
     """-1 to 1 as 0 to 1."""
     return display_range(0.5 + 0.5 * vector)
+
+
+def component_view(index: int) -> Callable[[Array], Array]:
+    """One component, -1 to 1 as 0 to 1 of its own channel."""
+
+    def view(vector: Array) -> Array:
+        return signed_view(np.where(np.arange(3) == index, vector[..., index : index + 1], -1.0))
+
+    return view
 
 
 def depth_view(radiance: Array, depth_range: float | Array = 10.0) -> Array:
@@ -136,6 +146,9 @@ VIEWS: dict[str, Callable[..., Array]] = {
     "base_color": color_view,
     "depth": depth_view,
     "diffuse": light_view,
+    "dir_x": component_view(0),
+    "dir_y": component_view(1),
+    "dir_z": component_view(2),
     "distribution": light_view,
     "fresnel": display_range,
     "light_depth": display_range,

@@ -47,7 +47,7 @@ type Line = readonly [number: number, text: string];
 const DIRECTIVE = /^\s*#\s*(\w*)\s*(.*?)\s*$/;
 const INCLUDE = /^(?:"([^"]+)"|<(\w+)>)$/;
 const NAME = /[A-Za-z_]\w*/g;
-const UNIFORM = /^\s*uniform\s+(?:(?:high|medium|low)p\s+)?(\w+)\s+(u_\w+)\s*;/gm;
+export const UNIFORM = /^\s*uniform\s+(?:(?:high|medium|low)p\s+)?(\w+)\s+(u_\w+)\s*;/gm;
 const TAKEN = /^\s*in\s+(\w+)\s+(v_\w+)\s*;/gm;
 /** Fields that only the base under the facets has. */
 const BASE_FIELDS = ["base_color", "kd"];
@@ -80,7 +80,8 @@ export function assemble(library: Library, request: Request): Source {
   };
 }
 
-function declarations(text: string, pattern: RegExp): Record<string, string> {
+/** What a text declares by `pattern`, and its type. */
+export function declarations(text: string, pattern: RegExp): Record<string, string> {
   return Object.fromEntries(Array.from(text.matchAll(pattern), ([, kind, name]) => [name!, kind!]));
 }
 

@@ -5,10 +5,12 @@
 
 import { ShaderError } from "./errors";
 import type { Library } from "./library";
+import { partValues } from "./parts";
 import type { Resolved } from "./settings";
-import { type Frame, frameOf, type Stages, samePrograms, stagesOf } from "./sources";
+import { type Asked, type Frame, frameOf, type Stages, samePrograms, stagesOf } from "./sources";
 import { NO_PATTERN, type Pattern, type Surface, surface } from "./surface";
-import type { Batch, Draw, Pass, Plan, Scene, SceneObject } from "./types";
+import { imageNumbers, objectList, objectValues } from "./traced";
+import type { Batch, Draw, Pass, Plan, PlannedTexture, Scene, SceneObject, Texture } from "./types";
 import {
   DRAW_NAMES,
   drawValue,
@@ -31,13 +33,21 @@ interface Run {
   readonly blend: string | null;
 }
 
+/** Uniforms, some of which are only made if a program asks for them. */
+type Source = () => Values;
+
 /** Makes the batches of passes, and notes the programs and textures they need in the plan. */
 export class Batches {
   private readonly scene: Scene;
   private readonly frame: Frame;
   private readonly parameters: Values;
   private readonly surfaces: ReadonlyMap<SceneObject, Surface>;
-  private readonly everyPattern: readonly Pattern[];
+  /** The number of each object. */
+  private readonly indices: ReadonlyMap<SceneObject, number>;
+  /** What rays ask for, and the textures that they read, array by array. */
+  private asked: Asked | null = null;
+  private images: readonly (readonly string[])[] = [];
+  private everyObject: Values | undefined;
 
   constructor(
     private readonly library: Library,
@@ -45,12 +55,11 @@ export class Batches {
     private readonly result: Plan,
   ) {
     this.scene = resolved.scene;
-    this.frame = frameOf(library, resolved);
     this.parameters = parameterValues(resolved);
     const things = Object.values(this.scene.objects);
+    this.indices = new Map(things.map((thing, index) => [thing, index]));
     this.surfaces = new Map(things.map((thing) => [thing, surface(library, this.scene, thing)]));
-    const patterns = things.map((thing) => this.patternOf(thing));
-    this.everyPattern = [...new Map(patterns.map((pattern) => [pattern.key, pattern])).values()];
+    this.frame = frameOf(library, resolved, this.surfaces);
   }
 
   /** What the files of a pass read and its code names: the lights of each, "" for none. */
@@ -77,16 +86,19 @@ export class Batches {
     maps: ReadonlyMap<number, LightMap>,
   ): Batch[] {
     const viewpoint = cameraViewpoint(this.scene, size);
+    const lights = lightValues(this.resolved, this.library, maps, this.scene.camera.eye);
+    const frame = frameValues(viewpoint, this.scene, size);
+    const parts = partValues(this.scene);
     const shared = [
-      lightValues(this.resolved, this.library, maps, this.scene.camera.eye),
-      frameValues(viewpoint, this.scene, size),
-      this.parameters,
+      ...[() => lights, () => frame, () => this.parameters, () => this.ofObjects(), () => parts],
     ];
     if (meta.draw === "screen") {
       const stages = this.stages(name, meta, NO_PATTERN, null);
-      const draws = [{ mesh: null, uniforms: {}, textures: {} }];
+      const program = this.program(stages);
+      const read = { textures: {}, arrays: this.arraysOf(stages), tables: this.tablesOf(stages) };
+      const draws = [{ mesh: null, uniforms: {}, ...read }];
       const state = { tile: null, cull: true, blend: null };
-      return [{ program: this.program(stages), ...state, ...filled(name, stages, shared), draws }];
+      return [{ program, ...state, ...filled(name, stages, shared), draws }];
     }
     const things = frontToBack(this.scene, viewpoint.origin);
     return this.objects(name, meta, things, viewpoint, shared, null);
@@ -97,7 +109,8 @@ export class Batches {
     return light.faces.flatMap((face) => {
       const near = frontToBack(this.scene, face.origin);
       const things = near.filter((thing) => inSight(this.scene, face, thing));
-      const shared = [mapValues(face, light), this.parameters];
+      const own = mapValues(face, light);
+      const shared = [() => own, () => this.parameters];
       return this.objects(name, meta, things, face, shared, index);
     });
   }
@@ -107,15 +120,17 @@ export class Batches {
     meta: Pass,
     things: readonly SceneObject[],
     viewpoint: Viewpoint,
-    shared: readonly Values[],
+    shared: readonly Source[],
     own: number | null,
   ): Batch[] {
+    // A mirrored camera turns every triangle over.
+    const mirrored = this.scene.camera.mirrored && own === null;
     return this.runs(meta, things).map(({ pattern, things: group, blend }) => {
       const stages = this.stages(name, meta, pattern, own);
       return {
         program: this.program(stages),
         tile: viewpoint.tile ? [...viewpoint.tile] : null,
-        cull: !pattern.flags.includes("DOUBLE_SIDED"),
+        cull: !pattern.flags.includes("DOUBLE_SIDED") && !mirrored,
         blend,
         ...filled(name, stages, shared),
         draws: group.map((thing) => this.draw(stages, thing, viewpoint)),
@@ -146,34 +161,79 @@ export class Batches {
     return [...runs, ...clear];
   }
 
-  private draw({ declared, own }: Stages, thing: SceneObject, viewpoint: Viewpoint): Draw {
+  /** Uniforms of every object, once a program asks for one. */
+  private ofObjects(): Values {
+    const numbers = imageNumbers(this.images);
+    this.everyObject ??= objectValues(this.scene, this.surfaces, numbers, this.scene.camera.eye);
+    return this.everyObject;
+  }
+
+  /** The arrays of images that a program reads, by sampler. */
+  private arraysOf({ declared }: Stages): Record<string, string> {
+    const samplers: Record<string, string> = {};
+    for (const [index, names] of this.images.entries()) {
+      if (!Object.hasOwn(declared, `u_images${index}`)) continue;
+      const textures = names.map((name) => this.scene.textures[name]!);
+      const images = textures.map(({ image }) => image);
+      const sampling = { ...this.sampling(textures[0]!), anisotropy: 1 };
+      this.result.arrays[`images${index}`] = { images, ...sampling };
+      samplers[`u_images${index}`] = `images${index}`;
+    }
+    return samplers;
+  }
+
+  /** The tables that a program reads, by sampler. */
+  private tablesOf({ declared }: Stages): Record<string, string> {
+    const found = ["objects", "meshes"].filter((name) => Object.hasOwn(declared, `u_${name}`));
+    const { tables } = this.result;
+    for (const name of found.filter((table) => !Object.hasOwn(tables, table))) {
+      const things = Object.values(this.scene.objects);
+      const used = things.flatMap(({ mesh }) => (mesh ? [this.scene.meshes[mesh]!.mesh] : []));
+      const meshes = [...new Set(used)];
+      if (name === "meshes") tables[name] = { texels: [], meshes };
+      else tables[name] = { texels: this.listOf(meshes), meshes: [] };
+    }
+    return Object.fromEntries(found.map((name) => [`u_${name}`, name]));
+  }
+
+  private listOf(meshes: readonly string[]): number[] {
+    const values = this.asked?.values ?? [];
+    return objectList(this.scene, this.surfaces, this.ofObjects(), values, meshes);
+  }
+
+  private draw(stages: Stages, thing: SceneObject, viewpoint: Viewpoint): Draw {
+    const { declared, own } = stages;
     const { texels } = this.surfaces.get(thing)!;
     const [mesh, gap] = meshKey(this.resolved, this.library, thing, viewpoint);
     const uniforms: Record<string, number[]> = {};
     const textures: Record<string, string> = {};
-    const transforms: Record<string, number[]> = {};
+    const made: Record<string, number[]> = {
+      u_gap: float32([gap]),
+      u_object: [this.indices.get(thing)!],
+    };
     for (const [index, used] of texels.entries()) {
       const sampler = `u_texture${index}`;
       const transform = `${sampler}_transform`;
-      if (own.includes(transform)) transforms[transform] = textureTransform(used);
+      if (own.includes(transform)) made[transform] = textureTransform(used);
       if (!Object.hasOwn(declared, sampler)) continue;
       textures[sampler] = used.texture;
       this.noteTexture(used.texture);
     }
     for (const name of own) {
-      uniforms[name] =
-        name === "u_gap"
-          ? float32([gap])
-          : (transforms[name] ?? drawValue(this.scene, thing, viewpoint.origin, name));
+      uniforms[name] = made[name] ?? drawValue(this.scene, thing, viewpoint.origin, name);
     }
-    return { mesh, uniforms, textures };
+    return { mesh, uniforms, textures, arrays: {}, tables: this.tablesOf(stages) };
   }
 
   private noteTexture(name: string): void {
     if (Object.hasOwn(this.result.textures, name)) return;
-    const { image, encoding, wrap, filter } = this.scene.textures[name]!;
+    const texture = this.scene.textures[name]!;
+    this.result.textures[name] = { image: texture.image, ...this.sampling(texture) };
+  }
+
+  private sampling({ encoding, wrap, filter }: Texture): Omit<PlannedTexture, "image"> {
     const anisotropy = Math.trunc(Number(this.resolved.values.anisotropy));
-    this.result.textures[name] = { image, encoding, wrap: [...wrap], filter, anisotropy };
+    return { encoding, wrap: [...wrap], filter, anisotropy };
   }
 
   private patternOf(thing: SceneObject): Pattern {
@@ -183,11 +243,17 @@ export class Batches {
   /** Every pattern that the pass draws. */
   private patterns(meta: Pass): readonly Pattern[] {
     if (meta.draw === "screen") return [NO_PATTERN];
-    return this.everyPattern.filter((p) => meta.blend !== "none" || !p.flags.includes("BLEND"));
+    return this.frame.kinds.filter((p) => meta.blend !== "none" || !p.flags.includes("BLEND"));
   }
 
   private stages(name: string, meta: Pass, pattern: Pattern, own: number | null): Stages {
-    return stagesOf(this.library, this.frame, name, meta, pattern, own);
+    const found = stagesOf(this.library, this.frame, name, meta, pattern, own);
+    if (found.asked && found.asked !== this.asked) {
+      this.asked = found.asked;
+      this.images = this.frame.images(found.asked.parts);
+      this.everyObject = undefined;
+    }
+    return found;
   }
 
   /** The index in the plan of the program of these stages. */
@@ -207,22 +273,23 @@ export class Batches {
   }
 }
 
-/** The uniforms that all draws share, each from the first of `values` that has it. */
+/** The uniforms that all draws share, each from the first of `sources` that has it. */
 function filled(
   name: string,
   { shared }: Stages,
-  values: readonly Values[],
+  sources: readonly Source[],
 ): Pick<Batch, "uniforms"> {
   const uniforms: Record<string, number[]> = {};
   for (const uniform of shared) {
-    const found = values.find((group) => Object.hasOwn(group, uniform));
+    const found = sources.find((source) => Object.hasOwn(source(), uniform));
     if (!found) {
-      const known = new Set([...values.flatMap((group) => Object.keys(group)), ...DRAW_NAMES]);
+      const names = sources.flatMap((source) => Object.keys(source()));
+      const known = new Set([...names, ...DRAW_NAMES]);
       throw new ShaderError(
         `passes/${name}.glsl:1: uniform ${uniform} has no value; known are: ${[...known].sort().join(", ")}`,
       );
     }
-    uniforms[uniform] = found[uniform]!;
+    uniforms[uniform] = found()[uniform]!;
   }
   return { uniforms };
 }

@@ -3,6 +3,7 @@
 import type { Geometry } from "./geometry";
 import type { CompiledProgram } from "./program";
 import { same } from "./same";
+import type { Tables } from "./tables";
 import type { Framebuffer } from "./targets";
 import type { Textures } from "./textures";
 import type { Batch, Draw, Plan, PlannedPass, PlannedTarget } from "./types";
@@ -17,9 +18,12 @@ export interface Equipment {
 /** All that decides what a pass draws. */
 interface Content {
   readonly planned: PlannedPass;
-  readonly textures: Plan["textures"];
+  readonly read: Read;
   readonly programs: readonly CompiledProgram[];
 }
+
+/** What draws read beside their meshes, by name. */
+type Read = Pick<Plan, "textures" | "arrays" | "tables">;
 
 /** Draws passes, those to keep only when they have changed. */
 export class Drawing {
@@ -32,6 +36,7 @@ export class Drawing {
     private readonly gl: WebGL2RenderingContext,
     private readonly geometry: Geometry,
     private readonly textures: Textures,
+    private readonly tables: Tables,
   ) {}
 
   /** Run a pass, unless it is to be kept and its target holds what it would draw. */
@@ -73,7 +78,7 @@ export class Drawing {
       program.use();
       for (const [unit, [name]] of samplers.entries()) program.set(name, [unit]);
       this.setState(batch, target);
-      this.batch(batch, program, plan.textures, samplers.length);
+      this.batch(batch, program, plan, samplers.length);
     }
   }
 
@@ -97,37 +102,54 @@ export class Drawing {
   private batch(
     { uniforms, draws }: Batch,
     program: CompiledProgram,
-    textures: Plan["textures"],
+    read: Read,
     firstUnit: number,
   ): void {
     for (const [name, value] of Object.entries(uniforms)) program.set(name, value);
     for (const draw of draws) {
       for (const [name, value] of Object.entries(draw.uniforms)) program.set(name, value);
-      this.bindTextures(draw, program, textures, firstUnit);
+      this.bind(draw, program, read, firstUnit);
       this.geometry.draw(program, draw.mesh);
     }
   }
 
-  private bindTextures(
-    draw: Draw,
-    program: CompiledProgram,
-    textures: Plan["textures"],
-    firstUnit: number,
-  ): void {
-    for (const [index, [sampler, name]] of Object.entries(draw.textures).entries()) {
-      this.textures.bind(firstUnit + index, textures[name]!);
-      program.set(sampler, [firstUnit + index]);
+  /** Tables first, on the same units for every draw: they go without the images' samplers. */
+  private bind(draw: Draw, program: CompiledProgram, read: Read, firstUnit: number): void {
+    let unit = firstUnit;
+    for (const [sampler, name] of Object.entries(draw.tables)) {
+      this.tables.bind(unit, name, read.tables[name]!);
+      program.set(sampler, [unit++]);
+    }
+    for (const kind of ["textures", "arrays"] as const) {
+      for (const [sampler, name] of Object.entries(draw[kind])) {
+        this.textures.bind(unit, read[kind][name]!);
+        program.set(sampler, [unit++]);
+      }
     }
   }
 }
 
 function contentOf(planned: PlannedPass, { plan, programs }: Equipment): Content {
   const used = planned.batches.map((batch) => programs[batch.program]!);
-  return { planned, textures: plan.textures, programs: used };
+  return { planned, read: readBy(planned, plan), programs: used };
 }
 
-function holds(drawn: Content | undefined, { planned, textures, programs }: Content): boolean {
+/** What the draws of a pass name: a table that others read may change with every frame. */
+function readBy({ batches }: PlannedPass, { textures, arrays, tables }: Plan): Read {
+  const draws = batches.flatMap((batch) => batch.draws);
+  const named = <Planned>(kind: keyof Read, all: Readonly<Record<string, Planned>>) => {
+    const names = new Set(draws.flatMap((draw) => Object.values(draw[kind])));
+    return Object.fromEntries([...names].map((name) => [name, all[name]!]));
+  };
+  return {
+    textures: named("textures", textures),
+    arrays: named("arrays", arrays),
+    tables: named("tables", tables),
+  };
+}
+
+function holds(drawn: Content | undefined, { planned, read, programs }: Content): boolean {
   if (drawn?.programs.length !== programs.length) return false;
   const compiled = programs.every((program, index) => program === drawn.programs[index]);
-  return compiled && same(drawn.planned, planned) && same(drawn.textures, textures);
+  return compiled && same(drawn.planned, planned) && same(drawn.read, read);
 }

@@ -51,7 +51,7 @@ function onGrid(value: number): number {
 }
 
 /** 3x3 rotation, column-major: about x first, then y, then z, angles in degrees. */
-function rotation(degrees: Vector): Vector {
+export function rotation(degrees: Vector): Vector {
   const [cx, sx] = cosSin(degrees[0]!);
   const [cy, sy] = cosSin(degrees[1]!);
   const [cz, sz] = cosSin(degrees[2]!);
@@ -97,12 +97,6 @@ export function squarePerspective(tangent: number, near: number, far: number): V
   const [depth, shift] = [(far + near) * inverse, 2 * far * near * inverse];
   const f = 1 / tangent;
   return [...[f, 0, 0, 0], ...[0, f, 0, 0], ...[0, 0, depth, -1], ...[0, 0, shift, 0]];
-}
-
-/** OpenGL projection; `fov` is vertical, in degrees. */
-export function perspective(fov: number, aspect: number, near: number, far: number): Vector {
-  const flat = squarePerspective(Math.tan((fov * Math.PI) / 180 / 2), near, far);
-  return [flat[0]! / aspect, ...flat.slice(1)];
 }
 
 /** OpenGL projection of a view `height` high, without perspective. */

@@ -9,7 +9,7 @@ import { LightbenchError, ShaderError } from "./errors";
 import { evaluate, type Value } from "./expression";
 import { type Library, passes, perLight } from "./library";
 import { type Resolved, resolve, type Settings } from "./settings";
-import type { Manifest, Pass, Plan, PlannedPass, Scene, Target } from "./types";
+import type { Draw, Manifest, Pass, Plan, PlannedPass, Scene, Target } from "./types";
 import { float32 } from "./values";
 import { type LightMap, lightMap } from "./viewpoint";
 
@@ -64,13 +64,21 @@ class Planner {
     const numbers = Object.entries(resolved.values).filter(
       (entry): entry is [string, number] => typeof entry[1] === "number",
     );
-    this.names = { ...Object.fromEntries(numbers), ...resolved.choices };
+    const parts = Object.keys(this.scene.parts).length;
+    this.names = { ...Object.fromEntries(numbers), ...resolved.choices, parts };
     this.metas = passes(library);
     const view = library.files[`views/${resolved.choices.view}.glsl`]!;
     this.inspects = Object.keys(view.functions).length > 1;
     this.result = {
-      ...{ size: [...size], targets: {}, textures: {}, programs: [], passes: [] },
-      ...{ outputs: {}, signed: view.meta.signed, settings: [], files: [] },
+      ...{ size: [...size], targets: {}, textures: {}, arrays: {}, tables: {} },
+      ...{
+        programs: [],
+        passes: [],
+        outputs: {},
+        signed: view.meta.signed,
+        settings: [],
+        files: [],
+      },
     };
     this.batches = new Batches(library, resolved, this.result);
   }
@@ -215,7 +223,8 @@ class Planner {
 function checkUnits({ name, samplers, batches }: PlannedPass): void {
   const targets = Object.keys(samplers).length;
   const draws = batches.flatMap((batch) => batch.draws);
-  const own = Math.max(0, ...draws.map((draw) => Object.keys(draw.textures).length));
+  const read = ({ textures, arrays, tables }: Draw) => [textures, arrays, tables].map(Object.keys);
+  const own = Math.max(0, ...draws.map((draw) => read(draw).flat().length));
   if (targets + own > MAX_UNITS) {
     throw new LightbenchError(
       `${name}: ${targets} shadow maps or targets and ${own} textures of a material at once; ` +

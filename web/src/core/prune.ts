@@ -6,9 +6,9 @@ export type Output = readonly [text: string, file: string, line: number];
 
 const NAME = /[A-Za-z_]\w*/g;
 const HANDED_ON = /^\s*(?:out\s+\w+\s+(v_\w+)\s*;|(v_\w+)\s*=[^=].*;)$/;
-/** A uniform, an input or a value that is given a name in one line. */
+/** A uniform, an input, a variable in place of one, or a value that is given a name in one line. */
 const NAMED =
-  /^\s*(?:(?:uniform|in)\s+(?:(?:high|medium|low)p\s+)?\w+\s+(\w+)\s*;|(?:const\s+)?[A-Za-z]\w*\s+(\w+)\s*=[^=][^;]*;)$/;
+  /^\s*(?:(?:uniform|in)\s+(?:(?:high|medium|low)p\s+)?\w+\s+(\w+)\s*;|\w+\s+(v_\w+)\s*;|(?:const\s+)?[A-Za-z]\w*\s+(\w+)\s*=[^=][^;]*;)$/;
 
 /**
  * Without varyings that the fragment stage does not take in, and without names that nothing else
@@ -27,7 +27,7 @@ export function live(
     }
     const kept = lines.filter(([text]) => {
       const match = NAMED.exec(text);
-      return !match || mentions.get((match[1] ?? match[2])!) !== 1;
+      return !match || mentions.get((match[1] ?? match[2] ?? match[3])!) !== 1;
     });
     if (kept.length === lines.length) return lines;
     lines = kept;

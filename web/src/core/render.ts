@@ -6,6 +6,7 @@ import { GraphicsError } from "./errors";
 import { Geometry } from "./geometry";
 import type { MeshLoader } from "./mesh";
 import { Programs } from "./programs";
+import { type HierarchyLoader, Tables } from "./tables";
 import { type Framebuffer, Targets } from "./targets";
 import { type ImageLoader, Textures } from "./textures";
 import type { Plan } from "./types";
@@ -27,6 +28,7 @@ interface Drawn {
 export interface Assets {
   readonly mesh: MeshLoader;
   readonly image: ImageLoader;
+  readonly hierarchy: HierarchyLoader;
 }
 
 /**
@@ -38,6 +40,7 @@ export class Renderer {
   private readonly targets: Targets;
   private readonly geometry: Geometry;
   private readonly textures: Textures;
+  private readonly tables: Tables;
   private readonly programs: Programs;
   private readonly drawing: Drawing;
   private size = "";
@@ -55,7 +58,8 @@ export class Renderer {
     this.geometry = new Geometry(gl, assets.mesh);
     this.textures = new Textures(gl, assets.image);
     this.programs = new Programs(gl, () => this.geometry.forgetPrograms());
-    this.drawing = new Drawing(gl, this.geometry, this.textures);
+    this.tables = new Tables(gl, assets.hierarchy);
+    this.drawing = new Drawing(gl, this.geometry, this.textures, this.tables);
     gl.disable(gl.DITHER);
   }
 
@@ -65,7 +69,7 @@ export class Renderer {
   }
 
   /**
-   * Compile all programs of a plan at once and load its meshes and images, without blocking.
+   * Compile all programs of a plan at once and load its meshes, images and tables, without blocking.
    *
    * Rejects with ShaderError naming file and line, or GraphicsError.
    */
@@ -73,7 +77,8 @@ export class Renderer {
     const programs = plan.programs.map((program) => this.programs.get(program));
     await Promise.all([
       ...[...meshKeys(plan)].map((key) => this.geometry.load(key)),
-      this.textures.load(Object.values(plan.textures)),
+      this.textures.load(plan),
+      this.tables.load(plan),
     ]);
     while (!programs.every((program) => program.ready)) {
       await new Promise((resolve) => setTimeout(resolve, POLL_MILLISECONDS));
@@ -86,7 +91,8 @@ export class Renderer {
     return (
       plan.programs.every((program) => this.programs.ready(program)) &&
       [...meshKeys(plan)].every((key) => this.geometry.has(key)) &&
-      Object.values(plan.textures).every((texture) => this.textures.has(texture))
+      this.textures.has(plan) &&
+      this.tables.has(plan)
     );
   }
 
@@ -148,6 +154,7 @@ export class Renderer {
     this.targets.clear();
     this.geometry.clear();
     this.textures.clear();
+    this.tables.clear();
     this.last = null;
   }
 

@@ -7,11 +7,13 @@
 
 import { general, SceneError } from "./errors";
 import { completed } from "./materials";
-import { color, factors, isNumber, numbers, Problem, parseNumber } from "./scene_types";
+import { checkParents, checkPart } from "./scene_parts";
+import { color, factors, isNumber, numbers, Problem, pair, parseNumber } from "./scene_types";
 import type {
   Camera,
   Manifest,
   Material,
+  Part,
   Scene,
   SceneObject,
   SchemaNode,
@@ -22,7 +24,7 @@ export type Light = Scene["lights"][string];
 type Data = Record<string, unknown>;
 
 /** Groups of a scene that settings may edit, in the order in which they are checked. */
-const GROUPS = ["materials", "objects", "lights"] as const;
+const GROUPS = ["materials", "objects", "lights", "parts"] as const;
 const TRUE: readonly unknown[] = [1, "1", "t", "true", "y", "yes", "on"];
 const FALSE: readonly unknown[] = [0, "0", "f", "false", "n", "no", "off"];
 const INTEGER = /^\s*[+-]?\d+(?:\.0*)?\s*$/;
@@ -74,7 +76,7 @@ function merged(group: object, checked: readonly [string, Data][]): object {
 const LIGHTS = { point: "PointLight", directional: "DirectionalLight", spot: "SpotLight" };
 
 function definition(group: (typeof GROUPS)[number], draft: Data, path: string): string {
-  if (group !== "lights") return group === "materials" ? "Material" : "Object";
+  if (group !== "lights") return { materials: "Material", objects: "Object", parts: "Part" }[group];
   const found = Object.entries(LIGHTS).find(([type]) => type === draft.type);
   if (found) return found[1];
   const tags = Object.keys(LIGHTS).map((type) => `'${type}'`);
@@ -129,19 +131,22 @@ function validateTuple(node: SchemaNode, value: unknown, path: string): unknown 
   const checked = wanted.map((item, index) => {
     const at = `${path}.${index}`;
     if (index >= items.length) throw new Problem(at, "Field required", [items]);
-    return validateNumber(item, items[index], at);
+    return validateField(item, items[index], at);
   });
-  if (node.kind === "direction" && Math.hypot(...checked) < SHORTEST) {
+  if (node.kind === "direction" && Math.hypot(...(checked as number[])) < SHORTEST) {
     throw new Problem(path, "a direction must not be zero");
   }
   return checked;
 }
 
-/** What a triple may be written as. */
+/** What a triple or a pair may be written as; several of them have no text. */
 function before(node: SchemaNode, value: unknown, path: string): unknown {
+  const [first, ...more] = node.prefixItems!;
+  if (first!.prefixItems) return value;
   try {
     if (node.kind === "color") return color(value);
-    return node.kind === "factors" ? factors(value) : numbers(value);
+    if (node.kind === "factors") return factors(value, 1 + more.length);
+    return more.length === 1 ? pair(value) : numbers(value);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
     throw new Problem(path, error.message);
@@ -229,6 +234,7 @@ const CHECKS: Readonly<Record<string, (data: Data, path: string) => void>> = {
   Camera: (data, path) => checkFrame(data as unknown as Camera, path),
   Material: (data, path) => checkOneSource(data as unknown as Material, path),
   Object: (data, path) => checkShape(data as unknown as SceneObject, path),
+  Part: (data, path) => checkPart(data as unknown as Part, path),
   SpotLight: (data, path) => checkCone(data as unknown as SpotLight, path),
 };
 
@@ -253,11 +259,13 @@ function checkLibrary({ library }: Data, path: string, materials: Manifest["mate
   throw new Problem(`${path}.library`, `no material '${library}'; there is: ${known}`);
 }
 
-function checkShape({ scale, shape, mesh }: SceneObject, path: string): void {
+function checkShape({ scale, shape, mesh, corners }: SceneObject, path: string): void {
   if (scale.some((s) => s < 1e-6))
     throw new Problem(path, "scale: each factor must be at least 1e-6");
   if ((shape === "mesh") !== (mesh !== null))
     throw new Problem(path, "mesh: name one with shape mesh, and with no other");
+  if ((shape === "triangle") !== (corners !== null))
+    throw new Problem(path, "corners: give three with shape triangle, and with no other");
 }
 
 function checkCone({ inner, outer }: SpotLight, path: string): void {
@@ -274,6 +282,7 @@ function checkNames(scene: Scene): void {
   }
   const { light } = scene.camera;
   if (light !== null) checkKnown("camera.light", "light", light, scene.lights);
+  checkParents(scene.parts);
 }
 
 function checkKnown(where: string, kind: string, name: string, there: object): void {

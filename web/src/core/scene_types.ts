@@ -44,18 +44,24 @@ function decodeSrgb(code: number): number {
   return code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
 }
 
-/** Three numbers, or their text. */
-export function numbers(value: unknown, allowed = "write x,y,z"): unknown {
+/** Three numbers or two, or their text. */
+export function numbers(value: unknown, allowed = "write x,y,z", count = 3): unknown {
   if (typeof value !== "string") return value;
   const parts = value.split(",");
-  if (parts.length !== 3 || !parts.every(isNumber)) {
+  if (parts.length !== count || !parts.every(isNumber)) {
     throw new Problem("", `${shown(value)} does not parse: ${allowed}`);
   }
   return parts.map(parseNumber);
 }
 
-/** Scale factors along x, y and z; a lone number stands for all three. */
-export function factors(value: unknown): unknown {
+/** Two numbers, or their text. */
+export function pair(value: unknown): unknown {
+  return numbers(value, "write x,y", 2);
+}
+
+/** Scale factors along x, y and z, or along x and y; a lone number stands for all. */
+export function factors(value: unknown, count: number): unknown {
   const alone = typeof value === "number" || (typeof value === "string" && !value.includes(","));
-  return alone ? [value, value, value] : numbers(value);
+  if (alone) return Array(count).fill(value);
+  return count === 2 ? pair(value) : numbers(value);
 }

@@ -23,7 +23,9 @@ export interface Resolved {
 }
 
 /** How many names lead to a field of each group. */
-const DEPTH: Readonly<Record<string, number>> = { camera: 1, lights: 2, materials: 2, objects: 2 };
+const DEPTH: Readonly<Record<string, number>> = {
+  ...{ camera: 1, lights: 2, materials: 2, objects: 2, parts: 2 },
+};
 /** Groups whose members may have more fields than the scene gives them. */
 const OPEN = ["lights", "materials"];
 
@@ -236,12 +238,12 @@ function copyOf(scene: Scene, parents: readonly string[]): Record<string, unknow
   const [group = "", name = ""] = parents;
   if (parents.length !== DEPTH[group]) return null;
   if (group === "camera") return { ...scene.camera };
-  const members = scene[group as "lights" | "materials" | "objects"];
+  const members = scene[group as "lights" | "materials" | "objects" | "parts"];
   return Object.hasOwn(members, name) ? { ...members[name] } : null;
 }
 
 function knownPaths(scene: Scene): string {
-  const groups = (["lights", "materials", "objects"] as const).map(
+  const groups = (["lights", "materials", "objects", "parts"] as const).map(
     (group) => `${group}: ${Object.keys(scene[group]).join(", ")}`,
   );
   return `the scene has camera; ${groups.join("; ")}`;

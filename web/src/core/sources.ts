@@ -6,10 +6,25 @@
 
 import { assemble, type Lists, type Record_, type Source } from "./assemble";
 import { type Library, parameters } from "./library";
+import { link } from "./link";
+import { partRecords } from "./parts";
 import type { Light } from "./scene";
 import type { Resolved } from "./settings";
-import type { Pattern } from "./surface";
-import type { Pass, Program } from "./types";
+import { NO_PATTERN, type Pattern, type Surface } from "./surface";
+import {
+  imageArrays,
+  objectRecords,
+  ownValues,
+  patternsOf,
+  SURFACE,
+  sceneDefines,
+  TRACING,
+  taken,
+  texelsOf,
+  UNTRACED,
+  UNTRACED_LISTS,
+} from "./traced";
+import type { Pass, Program, SceneObject } from "./types";
 import { DRAW_NAMES } from "./values";
 import { WIDEST_SPOT } from "./viewpoint";
 
@@ -25,6 +40,16 @@ export interface Stages {
   /** Those that each draw has its own value of, sorted, and those that all draws share. */
   readonly own: readonly string[];
   readonly shared: readonly string[];
+  /** What rays ask the surfaces for; null where there are none that do. */
+  readonly asked: Asked | null;
+}
+
+/** What rays ask the surfaces for. */
+export interface Asked {
+  /** Of each kind of surface, what it says of what it reads. */
+  readonly parts: readonly Source[];
+  /** The records of OBJECT_VALUES. */
+  readonly values: readonly Record_[];
 }
 
 /** What all sources of a plan share; frames of the same `key` are the same. */
@@ -33,16 +58,32 @@ export interface Frame {
   readonly choices: Readonly<Record<string, string>>;
   readonly defines: Readonly<Record<string, number>>;
   readonly lights: readonly Record_[];
+  readonly objects: readonly Record_[];
+  /** The kinds of surface. */
+  readonly kinds: readonly Pattern[];
+  /** Names of the textures that these parts read, array by array. */
+  readonly images: (parts: readonly Source[]) => readonly (readonly string[])[];
+  readonly parts: readonly Record_[];
 }
 
 const caches = new WeakMap<Library, Map<string, Stages>>();
 
 /** What all sources of a plan share. */
-export function frameOf(library: Library, resolved: Resolved): Frame {
-  const { choices } = resolved;
+export function frameOf(
+  library: Library,
+  resolved: Resolved,
+  surfaces: ReadonlyMap<SceneObject, Surface>,
+): Frame {
+  const { choices, scene } = resolved;
   const defines = defineValues(library, resolved);
-  const lights = Object.values(resolved.scene.lights).map(lightRecord);
-  return { key: JSON.stringify([choices, defines, lights]), choices, defines, lights };
+  const lights = Object.values(scene.lights).map(lightRecord);
+  const objects = objectRecords(scene, surfaces);
+  const kinds = patternsOf(scene, surfaces);
+  const parts = partRecords(scene);
+  const patterns = kinds.map((pattern) => pattern.key);
+  const key = JSON.stringify([choices, defines, lights, objects, parts, patterns]);
+  const images = (read: readonly Source[]) => imageArrays(scene, surfaces, read);
+  return { key, choices, defines, lights, objects, parts, kinds, images };
 }
 
 /** A record of LIGHTS: which light, of which kind; the kinds are 0 or 1 for `#if`. */
@@ -69,7 +110,7 @@ function defineValues(library: Library, resolved: Resolved): Record<string, numb
   }
   found.orthographic = Number(resolved.scene.camera.projection === "orthographic");
   found.signed = Number(library.files[`views/${resolved.choices.view}.glsl`]!.meta.signed);
-  return found;
+  return { ...found, ...sceneDefines(resolved.scene) };
 }
 
 /** The sources of a pass for surfaces of a pattern; `own` is the light that it is run for. */
@@ -81,35 +122,114 @@ export function stagesOf(
   pattern: Pattern,
   own: number | null,
 ): Stages {
+  const key = `${name} ${own} ${pattern.key} ${frame.key}`;
+  const bench: Bench = { library, frame, entry: `passes/${name}.glsl`, pattern, own };
+  const found = kept(library, key, () => makeStages(bench, Number(meta.draw === "objects")));
+  if (!found.asked) return found;
+  const { asked } = found;
+  const arrays = frame.images(asked.parts).length;
+  return kept(library, `${arrays} ${key}`, () => tracingStages(bench, asked, arrays));
+}
+
+function kept(library: Library, key: string, make: () => Stages): Stages {
   const cache = caches.get(library) ?? new Map<string, Stages>();
   caches.set(library, cache);
-  const key = `${name} ${own} ${pattern.key} ${frame.key}`;
   const known = cache.get(key);
   if (known) return known;
   if (cache.size >= MAX_STAGES) cache.clear();
-  const made = makeStages(library, frame, name, meta, pattern, own);
+  const made = make();
   cache.set(key, made);
   return made;
 }
 
-function makeStages(
-  library: Library,
-  frame: Frame,
-  name: string,
-  meta: Pass,
-  pattern: Pattern,
-  own: number | null,
-): Stages {
-  const request = {
-    entry: `passes/${name}.glsl`,
+/** What the sources of a pass have in common. */
+interface Bench {
+  readonly library: Library;
+  readonly frame: Frame;
+  readonly entry: string;
+  readonly pattern: Pattern;
+  /** The light that the pass is run for. */
+  readonly own: number | null;
+}
+
+/** How one source differs from others of its bench. */
+interface Wanted {
+  readonly stage: "FRAGMENT" | "VERTEX";
+  readonly values: Readonly<Record<string, number>>;
+  readonly lists?: Lists;
+  readonly varyings?: readonly string[];
+}
+
+function assembled({ library, frame, entry, pattern, own }: Bench, wanted: Wanted): Source {
+  const { stage, values, lists, varyings } = wanted;
+  const none = frame.kinds.map((_, kind) => [`SURFACE${kind}_VALUES`, []] as const);
+  return assemble(library, {
+    ...{ entry, stage, pattern, varyings: varyings ?? [] },
     choices: { ...frame.choices, ...pattern.choices },
-    values: { ...frame.defines, draws_objects: Number(meta.draw === "objects") },
-    lists: lightLists(frame.lights, own),
-    pattern,
-  };
-  const fragment = assemble(library, { ...request, stage: "FRAGMENT", varyings: [] });
+    values: { ...frame.defines, ...UNTRACED, ...values },
+    lists: {
+      ...{ ...lightLists(frame.lights, own), ...UNTRACED_LISTS, ...Object.fromEntries(none) },
+      ...{ OBJECTS: frame.objects, PARTS: frame.parts, ...lists },
+    },
+  });
+}
+
+/** Both stages; of a pass whose rays ask for surfaces, the fragment stage still is without them. */
+function makeStages(bench: Bench, draws_objects: number): Stages {
+  const values = { draws_objects, record: texelsOf([]) };
+  const fragment = assembled(bench, { stage: "FRAGMENT", values });
   const { varyings } = fragment;
-  const vertex = assemble(library, { ...request, stage: "VERTEX", varyings });
+  const vertex = assembled(bench, { stage: "VERTEX", values, varyings });
+  const stages = stagesFrom(fragment, vertex, bench.pattern);
+  return fragment.files.includes(TRACING) ? { ...stages, asked: askedOf(bench) } : stages;
+}
+
+/** What the surfaces read, which says what there must be to be read. */
+function askedOf(bench: Bench): Asked {
+  const parts = partsOf(bench, 0, texelsOf([]));
+  return { parts, values: ownValues(bench.frame.defines, parts) };
+}
+
+function partsOf(bench: Bench, arrays: number, record: number): readonly Source[] {
+  return bench.frame.kinds.map((pattern) =>
+    assembled(
+      { ...bench, entry: SURFACE, pattern, own: null },
+      {
+        stage: "FRAGMENT",
+        values: { draws_objects: 1, traced: 1, record },
+        lists: { IMAGE_ARRAYS: numbered(arrays) },
+      },
+    ),
+  );
+}
+
+/** The stages of a pass whose rays may meet every kind of surface. */
+function tracingStages(bench: Bench, asked: Asked, arrays: number): Stages {
+  const { kinds, defines } = bench.frame;
+  const record = texelsOf(asked.values);
+  const parts = partsOf(bench, arrays, record);
+  const ofKind = (kind: number) => ownValues(defines, [parts[kind]!]);
+  const byKind = kinds.map((_, kind) => [`SURFACE${kind}_VALUES`, ofKind(kind)] as const);
+  const main = assembled(bench, {
+    stage: "FRAGMENT",
+    values: { traced: 1, record, ...taken(parts) },
+    lists: {
+      ...{ IMAGE_ARRAYS: numbered(arrays), OBJECT_VALUES: asked.values },
+      ...{ SURFACES: numbered(kinds.length), ...Object.fromEntries(byKind) },
+    },
+  });
+  const variables = new Set(asked.values.map(({ name }) => `u_${name}`));
+  const fragment = link(parts, "surfaceLight", main, variables);
+  const { varyings } = fragment;
+  const vertex = assembled(bench, { stage: "VERTEX", values: { record }, varyings });
+  return { ...stagesFrom(fragment, vertex, NO_PATTERN), asked };
+}
+
+function numbered(count: number): readonly Record_[] {
+  return Array.from({ length: count }, (_, index) => ({ index: `${index}` }));
+}
+
+function stagesFrom(fragment: Source, vertex: Source, pattern: Pattern): Stages {
   const program = {
     vertex: vertex.text,
     fragment: fragment.text,
@@ -121,9 +241,9 @@ function makeStages(
   const names = Object.keys(declared).sort();
   const transforms = pattern.texels.map((_, index) => `u_texture${index}_transform`);
   const isOwn = (uniform: string) => DRAW_NAMES.includes(uniform) || transforms.includes(uniform);
-  const isShared = (uniform: string) => declared[uniform] !== "sampler2D" && !isOwn(uniform);
+  const isShared = (uniform: string) => !declared[uniform]!.includes("sampler") && !isOwn(uniform);
   const kinds = { own: names.filter(isOwn), shared: names.filter(isShared) };
-  return { fragment, vertex, program, declared, ...kinds };
+  return { fragment, vertex, program, declared, ...kinds, asked: null };
 }
 
 function lightLists(every: readonly Record_[], own: number | null): Lists {

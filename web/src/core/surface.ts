@@ -19,6 +19,7 @@ const SOURCES: Readonly<Record<string, readonly string[]>> = {
   kd: ["base_color", "metalness"],
   ks: ["base_color", "metalness", "roughness"],
   shininess: ["roughness"],
+  ambient: [],
   eta: ["base_color", "metalness"],
   k: ["base_color", "metalness"],
 };

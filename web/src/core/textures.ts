@@ -1,13 +1,17 @@
 /** Images on the GPU: each uploaded once, however many materials share it. Twin of textures.py. */
 
 import { GraphicsError } from "./errors";
-import type { PlannedTexture } from "./types";
+import { decoded } from "./half";
+import type { Plan, PlannedArray, PlannedTexture } from "./types";
 
 /** An image whose bytes are those of its file: no colour conversion, alpha not multiplied in. */
 export type ImageLoader = (key: string) => Promise<ImageBitmap>;
 
 /** Bytes of all images kept between plans. */
 const MAX_KEPT_BYTES = 2 ** 29;
+
+/** An image, or images of one size as layers: how either is sampled is the sampler's. */
+type Planned = PlannedTexture | PlannedArray;
 
 interface Uploaded {
   readonly handle: WebGLTexture;
@@ -25,18 +29,19 @@ export class Textures {
     private readonly source: ImageLoader,
   ) {}
 
-  has(planned: PlannedTexture): boolean {
-    return this.images.has(keyOf(planned));
+  /** Whether the textures and arrays of a plan are there. */
+  has(plan: Plan): boolean {
+    return every(plan).every((planned) => this.images.has(keyOf(planned)));
   }
 
   /** Load and upload the images of a plan. Rejects as the loader does; it may be tried again. */
-  async load(planned: readonly PlannedTexture[]): Promise<void> {
-    const wanted = new Map(planned.map((texture) => [keyOf(texture), texture]));
+  async load(plan: Plan): Promise<void> {
+    const wanted = new Map(every(plan).map((planned) => [keyOf(planned), planned]));
     this.makeRoom(wanted);
-    await Promise.all([...wanted].map(([key, texture]) => this.loadOne(key, texture)));
+    await Promise.all([...wanted].map(([key, planned]) => this.loadOne(key, planned)));
   }
 
-  private loadOne(key: string, { image, encoding }: PlannedTexture): Promise<void> {
+  private loadOne(key: string, planned: Planned): Promise<void> {
     const known = this.loading.get(key);
     if (known) return known;
     const uploaded = this.images.get(key);
@@ -45,34 +50,65 @@ export class Textures {
       this.images.set(key, uploaded);
       return Promise.resolve();
     }
-    const loading = this.source(image)
-      .then((bitmap) => void this.images.set(key, this.upload(image, bitmap, encoding)))
+    const loading = Promise.all(imagesOf(planned).map((image) => this.source(image)))
+      .then((bitmaps) => void this.images.set(key, this.upload(planned, bitmaps)))
       .finally(() => this.loading.delete(key));
     this.loading.set(key, loading);
     return loading;
   }
 
-  /** Row 0 of the image is at v = 0; sRGB texels are decoded before they are filtered. */
-  private upload(key: string, bitmap: ImageBitmap, encoding: string): Uploaded {
+  /** Row 0 of an image is at v = 0; sRGB texels are decoded before they are filtered. */
+  private upload(planned: Planned, bitmaps: readonly ImageBitmap[]): Uploaded {
     const { gl } = this;
-    const { width, height } = bitmap;
+    const { width, height } = bitmaps[0]!;
     const limit = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
     if (Math.max(width, height) > limit) {
-      throw new GraphicsError(`${key}: ${width}x${height} is beyond this GL's ${limit} pixels`);
+      const image = imagesOf(planned)[0];
+      throw new GraphicsError(`${image}: ${width}x${height} is beyond this GL's ${limit} pixels`);
     }
     const handle = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, handle);
+    const target = targetOf(gl, planned);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(target, handle);
+    const texel = isArray(planned)
+      ? this.fillArray(planned.encoding, bitmaps)
+      : this.fill(planned.encoding, bitmaps[0]!);
+    gl.generateMipmap(target);
+    for (const bitmap of bitmaps) bitmap.close();
+    return { handle, bytes: Math.ceil((width * height * bitmaps.length * texel * 4) / 3) };
+  }
+
+  /** Fill the texture that is bound; answers the bytes of a texel. */
+  private fill(encoding: string, bitmap: ImageBitmap): number {
+    const { gl } = this;
+    const { width, height } = bitmap;
     const format = encoding === "srgb" ? gl.SRGB8_ALPHA8 : gl.RGBA8;
-    const levels = Math.floor(Math.log2(Math.max(width, height))) + 1;
-    gl.texStorage2D(gl.TEXTURE_2D, levels, format, width, height);
+    gl.texStorage2D(gl.TEXTURE_2D, levelsOf(bitmap), format, width, height);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
-    gl.generateMipmap(gl.TEXTURE_2D);
-    bitmap.close();
-    return { handle, bytes: Math.ceil((width * height * 16) / 3) };
+    return 4;
+  }
+
+  /** Fill the array that is bound: of sRGB texels there is none offline, and these are decoded here. */
+  private fillArray(encoding: string, bitmaps: readonly ImageBitmap[]): number {
+    const { gl } = this;
+    const { width, height } = bitmaps[0]!;
+    const [format, type, bytes] =
+      encoding === "srgb"
+        ? ([gl.RGBA16F, gl.HALF_FLOAT, 8] as const)
+        : ([gl.RGBA8, gl.UNSIGNED_BYTE, 4] as const);
+    const levels = levelsOf(bitmaps[0]!);
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, levels, format, width, height, bitmaps.length);
+    for (const [layer, bitmap] of bitmaps.entries()) {
+      const codes = codesOf(gl, bitmap);
+      const texels = encoding === "srgb" ? decoded(codes) : codes;
+      const place = [0, 0, layer, width, height, 1] as const;
+      gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, ...place, gl.RGBA, type, texels);
+    }
+    return bytes;
   }
 
   /** Release the images that were used the longest time ago, but none that is `wanted`. */
-  private makeRoom(wanted: ReadonlyMap<string, PlannedTexture>): void {
+  private makeRoom(wanted: ReadonlyMap<string, Planned>): void {
     let held = [...this.images.values()].reduce((sum, { bytes }) => sum + bytes, 0);
     for (const [key, { handle, bytes }] of [...this.images]) {
       if (held <= MAX_KEPT_BYTES) return;
@@ -84,16 +120,18 @@ export class Textures {
   }
 
   /** Bind a texture and how it is sampled to a unit. Throws GraphicsError where it is not loaded. */
-  bind(unit: number, planned: PlannedTexture): void {
+  bind(unit: number, planned: Planned): void {
     const { gl } = this;
     const uploaded = this.images.get(keyOf(planned));
-    if (!uploaded) throw new GraphicsError(`the image ${planned.image} is not loaded yet`);
+    if (!uploaded) {
+      throw new GraphicsError(`the image ${imagesOf(planned).join(", ")} is not loaded yet`);
+    }
     gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(gl.TEXTURE_2D, uploaded.handle);
+    gl.bindTexture(targetOf(gl, planned), uploaded.handle);
     gl.bindSampler(unit, this.sampler(planned));
   }
 
-  private sampler(planned: PlannedTexture): WebGLSampler {
+  private sampler(planned: Planned): WebGLSampler {
     const key = [...planned.wrap, planned.filter, planned.anisotropy].join();
     const sampler = this.samplers.get(key) ?? makeSampler(this.gl, planned);
     this.samplers.set(key, sampler);
@@ -109,20 +147,58 @@ export class Textures {
   }
 }
 
-function keyOf({ image, encoding }: PlannedTexture): string {
-  return `${image} ${encoding}`;
+function every({ textures, arrays }: Plan): readonly Planned[] {
+  return [...Object.values(textures), ...Object.values(arrays)];
 }
 
-/** Trilinear filtering, or the nearest texel of the nearest level. */
+function isArray(planned: Planned): planned is PlannedArray {
+  return "images" in planned;
+}
+
+function imagesOf(planned: Planned): readonly string[] {
+  return isArray(planned) ? planned.images : [planned.image];
+}
+
+function targetOf(gl: WebGL2RenderingContext, planned: Planned): GLenum {
+  return isArray(planned) ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
+}
+
+function keyOf(planned: Planned): string {
+  const kind = isArray(planned) ? "array" : "image";
+  return [kind, planned.encoding, ...imagesOf(planned)].join(" ");
+}
+
+function levelsOf({ width, height }: ImageBitmap): number {
+  return Math.floor(Math.log2(Math.max(width, height))) + 1;
+}
+
+/** RGBA codes of an image, row 0 first: by way of a texture, which changes none. */
+function codesOf(gl: WebGL2RenderingContext, bitmap: ImageBitmap): Uint8Array<ArrayBuffer> {
+  const { width, height } = bitmap;
+  const [texture, framebuffer] = [gl.createTexture(), gl.createFramebuffer()];
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+  const codes = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, codes);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.deleteFramebuffer(framebuffer);
+  gl.deleteTexture(texture);
+  return codes;
+}
+
+/** Trilinear filtering, or the nearest texel of the image itself. */
 function makeSampler(
   gl: WebGL2RenderingContext,
-  { wrap, filter, anisotropy }: PlannedTexture,
+  { wrap, filter, anisotropy }: Planned,
 ): WebGLSampler {
   const sampler = gl.createSampler();
   const nearest = filter === "nearest";
   // A mirrored coordinate comes folded.
   const edge = (side: string | undefined) => (side === "repeat" ? gl.REPEAT : gl.CLAMP_TO_EDGE);
-  const small = nearest ? gl.NEAREST_MIPMAP_NEAREST : gl.LINEAR_MIPMAP_LINEAR;
+  const small = nearest ? gl.NEAREST : gl.LINEAR_MIPMAP_LINEAR;
   gl.samplerParameteri(sampler, gl.TEXTURE_MIN_FILTER, small);
   gl.samplerParameteri(sampler, gl.TEXTURE_MAG_FILTER, nearest ? gl.NEAREST : gl.LINEAR);
   gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_S, edge(wrap[0]));

@@ -73,7 +73,7 @@ export interface Pass {
   };
   textbook_of: string;
   material: string[];
-  surface: ("normal" | "emission" | "occlusion" | "opacity")[];
+  surface: ("normal" | "emission" | "occlusion" | "opacity" | "mirror")[];
   reads: string[];
   signed: boolean;
   parameters: {
@@ -131,7 +131,7 @@ export interface Choice {
   };
   textbook_of: string;
   material: string[];
-  surface: ("normal" | "emission" | "occlusion" | "opacity")[];
+  surface: ("normal" | "emission" | "occlusion" | "opacity" | "mirror")[];
   reads: string[];
   signed: boolean;
   parameters: {
@@ -228,12 +228,16 @@ export interface Scene {
   lights: {
     [k: string]: PointLight | DirectionalLight | SpotLight;
   };
+  parts: {
+    [k: string]: Part;
+  };
   settings: {
     [k: string]: number | boolean | string;
   };
 }
 /**
- * A perspective camera whose `fov` is vertical, or an orthographic one of `height` metres.
+ * A perspective camera whose `fov` is that of the picture's height or width, or an orthographic
+ * one of `height` metres. In a `mirrored` one, right is left: a left-handed world.
  *
  * `light` names a light that the picture is taken from instead, with all that it reaches in sight.
  */
@@ -242,6 +246,8 @@ export interface Camera {
   target: [number, number, number];
   up: [number, number, number];
   fov: number;
+  fov_of: "height" | "width";
+  mirrored: boolean;
   projection: "perspective" | "orthographic";
   height: number;
   light: string | null;
@@ -283,6 +289,9 @@ export interface Material {
   kd: [number, number, number] | null;
   ks: [number, number, number] | null;
   shininess: number | null;
+  ambient: [number, number, number];
+  reflectance: number;
+  transmittance: number;
   emissive: [number, number, number];
   opacity: number;
   alpha_mode: "opaque" | "mask" | "blend";
@@ -323,8 +332,9 @@ export interface TextureMap {
  * A shape under scale, then rotation (Euler x, y, z in degrees), then position.
  */
 export interface SceneObject {
-  shape: "plane" | "cube" | "sphere" | "cone" | "mesh";
+  shape: "plane" | "cube" | "sphere" | "cone" | "triangle" | "mesh";
   mesh: string | null;
+  corners: [[number, number, number], [number, number, number], [number, number, number]] | null;
   material: string;
   position: [number, number, number];
   rotation: [number, number, number];
@@ -374,6 +384,22 @@ export interface SpotLight {
   [k: string]: number | [number, number, number] | boolean | null | "spot" | "candela" | "lumen";
 }
 /**
+ * An outline about (0, 0) under scale, then rotation in degrees, then position.
+ *
+ * A square has its corners at -1 and 1, a circle the radius 1, a line runs along x from -1 to 1.
+ * Position and rotation are in the frame of the parent, which its scale does not stretch; without
+ * a parent, in the picture, whose shorter side runs from -1 to 1. `width` of the line in pixels.
+ */
+export interface Part {
+  shape: "square" | "circle" | "line";
+  parent: string | null;
+  position: [number, number];
+  rotation: number;
+  scale: [number, number];
+  color: [number, number, number];
+  width: number;
+}
+/**
  * All that a renderer needs, and what the panel shows (`settings`, `files`).
  *
  * `signed`: the picture holds negative numbers by right, as a view of normals does.
@@ -385,6 +411,12 @@ export interface Plan {
   };
   textures: {
     [k: string]: PlannedTexture;
+  };
+  arrays: {
+    [k: string]: PlannedArray;
+  };
+  tables: {
+    [k: string]: PlannedTable;
   };
   programs: Program[];
   passes: PlannedPass[];
@@ -404,16 +436,31 @@ export interface PlannedTarget {
   depth: boolean;
 }
 /**
- * An image on surfaces: its key in the asset store and how it is sampled.
- *
- * `wrap`: repeat, clamp or mirror along u and v. `anisotropy`: samples at most, where available.
+ * An image on surfaces: its key in the asset store.
  */
 export interface PlannedTexture {
-  image: string;
   encoding: string;
   wrap: string[];
   filter: string;
   anisotropy: number;
+  image: string;
+}
+/**
+ * Images of one size as the layers of one texture.
+ */
+export interface PlannedArray {
+  encoding: string;
+  wrap: string[];
+  filter: string;
+  anisotropy: number;
+  images: string[];
+}
+/**
+ * Numbers that a shader reads by their place: four a texel, or those of meshes for rays.
+ */
+export interface PlannedTable {
+  texels: number[];
+  meshes: string[];
 }
 /**
  * Both specialised sources of a pass, where their lines come from, the attributes they read.
@@ -457,7 +504,9 @@ export interface Batch {
   draws: Draw[];
 }
 /**
- * One mesh (null: the screen triangle), the uniforms that are its own, textures by sampler.
+ * One mesh (null: the screen triangle), the uniforms that are its own.
+ *
+ * `textures`, `arrays` and `tables` by sampler.
  */
 export interface Draw {
   mesh: string | null;
@@ -465,6 +514,12 @@ export interface Draw {
     [k: string]: number[];
   };
   textures: {
+    [k: string]: string;
+  };
+  arrays: {
+    [k: string]: string;
+  };
+  tables: {
     [k: string]: string;
   };
 }

@@ -8,10 +8,11 @@
 import { boundingSphere, distance } from "./bounds";
 import { type Library, parameters } from "./library";
 import * as matrix from "./matrix";
+import { modelMatrix, normalMatrix } from "./placement";
 import type { Light } from "./scene";
 import type { Resolved } from "./settings";
 import type { Material, Scene, SceneObject, TextureMap } from "./types";
-import type { LightMap, Viewpoint } from "./viewpoint";
+import { type LightMap, primaryRays, type Viewpoint } from "./viewpoint";
 
 export type Values = Readonly<Record<string, number[]>>;
 type Fields = Record<string, matrix.Vector>;
@@ -46,9 +47,12 @@ export function parameterValues({ values }: Resolved): Values {
 
 /** Uniforms of the camera and of the target's size. */
 export function frameValues(viewpoint: Viewpoint, scene: Scene, size: readonly number[]): Values {
-  const { eye, target } = scene.camera;
-  const back = matrix.normalize(matrix.subtract(eye, target));
-  return uniforms({ view_projection: viewpoint.matrix, to_eye: back, resolution: size });
+  const { camera, background } = scene;
+  const back = matrix.normalize(matrix.subtract(camera.eye, camera.target));
+  return uniforms({
+    ...{ view_projection: viewpoint.matrix, to_eye: back, resolution: size, background },
+    ...primaryRays(camera, size),
+  });
 }
 
 /** Uniforms of a face of a light's map, while it is drawn. */
@@ -66,7 +70,7 @@ export function lightValues(
   const perLight = parameters(library).filter(
     ([name, parameter]) => parameter.per === "light" && Object.hasOwn(values, name),
   );
-  const fields: Fields = {};
+  const fields: Fields = { lights_total: total(scene) };
   for (const [index, light] of Object.values(scene.lights).entries()) {
     const own = lightFields(light, eye);
     for (const [name] of perLight) own[name] = [Number(light[name] ?? values[name])];
@@ -75,6 +79,14 @@ export function lightValues(
     for (const [name, value] of Object.entries(own)) fields[`light${index}_${name}`] = value;
   }
   return uniforms(fields);
+}
+
+/** What all lights have together, per channel. */
+function total({ lights }: Scene): matrix.Vector {
+  const parts = Object.values(lights).map(({ color, intensity }) =>
+    color.map((c) => c * intensity),
+  );
+  return parts.reduce((sum, part) => sum.map((s, i) => s + part[i]!), [0, 0, 0]);
 }
 
 function mapFields({ far, texel, toClip, origin }: LightMap, eye: matrix.Triple): Fields {
@@ -88,9 +100,17 @@ function mapFields({ far, texel, toClip, origin }: LightMap, eye: matrix.Triple)
 
 /** Names of the uniforms that each object has its own value of. */
 export const DRAW_NAMES: readonly string[] = [
-  ...["u_model", "u_normal_matrix", "u_gap", "u_base_color", "u_metalness", "u_roughness"],
-  ...["u_f0", "u_eta", "u_k", "u_kd", "u_ks", "u_shininess", "u_dielectric_f0", "u_emissive"],
-  ...["u_opacity", "u_alpha_cutoff", "u_normal_scale", "u_occlusion_strength"],
+  ...[
+    "u_model",
+    "u_normal_matrix",
+    "u_gap",
+    "u_object",
+    "u_base_color",
+    "u_metalness",
+    "u_roughness",
+  ],
+  ...["u_f0", "u_eta", "u_k", "u_kd", "u_ks", "u_shininess", "u_ambient", "u_dielectric_f0"],
+  ...["u_emissive", "u_opacity", "u_alpha_cutoff", "u_normal_scale", "u_occlusion_strength"],
 ];
 
 const materials = new WeakMap<Material, Values>();
@@ -106,25 +126,24 @@ export function materialValues(material: Material): Values {
 
 const normals = new WeakMap<SceneObject, number[]>();
 
-function normalMatrix(thing: SceneObject): number[] {
+function normalValue(thing: SceneObject): number[] {
   const known = normals.get(thing);
   if (known) return known;
-  const made = float32(matrix.normalMatrix(thing.rotation, thing.scale));
+  const made = float32(normalMatrix(thing));
   normals.set(thing, made);
   return made;
 }
 
-/** A uniform of DRAW_NAMES but the gap, of one object, its place relative to `origin`. */
+/** A uniform of DRAW_NAMES but the gap and the number, of one object, its place relative to `origin`. */
 export function drawValue(
   scene: Scene,
   thing: SceneObject,
   origin: matrix.Triple,
   name: string,
 ): number[] {
-  if (name === "u_normal_matrix") return normalMatrix(thing);
+  if (name === "u_normal_matrix") return normalValue(thing);
   if (name !== "u_model") return materialValues(scene.materials[thing.material]!)[name]!;
-  const position = matrix.subtract(thing.position, origin);
-  return float32(matrix.compose(position, thing.rotation, thing.scale));
+  return float32(modelMatrix(thing, origin));
 }
 
 /** 3x3, column-major: scale, then rotate, then move (KHR_texture_transform). */
@@ -236,6 +255,7 @@ function materialFields(material: Material): Fields {
     kd: kd.map((k) => k / Math.PI),
     ks: ks.map((k) => k / Math.PI),
     shininess: [shininess],
+    ambient: material.ambient.map((k) => k / Math.PI),
     dielectric_f0: given,
     emissive: material.emissive,
     opacity: [material.opacity],

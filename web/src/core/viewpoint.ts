@@ -103,13 +103,40 @@ export function cameraViewpoint(scene: Scene, size: readonly number[]): Viewpoin
     const whole = matrix.multiply(projection, view);
     return { ...plain, matrix: whole, focal: height / camera.height, orthographic: true };
   }
-  const tangent = Math.tan((camera.fov * Math.PI) / 180 / 2);
+  const tangent = tangentOf(camera, aspect);
   const corner = Math.sqrt(1 + tangent * tangent * (1 + aspect * aspect));
   const nearest = spans.length ? Math.min(...spans.map(([d, r]) => d - r)) : 0;
   const near = Math.max((nearest / corner) * 0.99, far * NEAREST);
-  const projection = matrix.perspective(camera.fov, aspect, near, far);
+  const [across = 0, ...rest] = matrix.squarePerspective(tangent, near, far);
+  const wide = across / aspect;
+  const projection = [camera.mirrored ? -wide : wide, ...rest];
   const whole = matrix.multiply(projection, view);
   return { ...plain, matrix: whole, focal: height / (2 * tangent), orthographic: false };
+}
+
+/** Of half the angle that the picture's height takes. */
+function tangentOf({ fov, fov_of }: Camera, aspect: number): number {
+  const tangent = Math.tan((fov * Math.PI) / 180 / 2);
+  return fov_of === "width" ? tangent / aspect : tangent;
+}
+
+/** What the rays of a picture are made of: right and up to its border, forward. */
+export function primaryRays(
+  camera: Camera,
+  size: readonly number[],
+): Readonly<Record<"ray_right" | "ray_up" | "ray_forward", matrix.Vector>> {
+  const aspect = size[0]! / size[1]!;
+  const z = matrix.normalize(matrix.subtract(camera.eye, camera.target));
+  const x = matrix.normalize(matrix.cross(camera.up, z));
+  const y = matrix.cross(z, x);
+  const orthographic = camera.projection === "orthographic";
+  const half = orthographic ? camera.height / 2 : tangentOf(camera, aspect);
+  const across = camera.mirrored ? -half * aspect : half * aspect;
+  return {
+    ray_right: x.map((c) => c * across),
+    ray_up: y.map((c) => c * half),
+    ray_forward: z.map((c) => -c),
+  };
 }
 
 /** The map of a light, each face of it `side` pixels wide. */
@@ -227,6 +254,7 @@ function toward(eye: Triple, axis: Triple, fov: number): Camera {
   const up = anyUp(axis);
   return {
     ...{ eye: [...eye], target: [eye[0] + axis[0], eye[1] + axis[1], eye[2] + axis[2]] },
-    ...{ up: [...up], fov, projection: "perspective", height: 5, light: null },
+    ...{ up: [...up], fov, fov_of: "height", mirrored: false },
+    ...{ projection: "perspective", height: 5, light: null },
   };
 }

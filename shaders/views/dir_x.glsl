@@ -1,0 +1,23 @@
+/*---
+title  = "Ray direction, x"
+equation = '\frac{1}{2} + \frac{1}{2} d_x'
+source = "a lab script on ray tracing, eq. 1.16"
+about  = "The x of the direction from the eye, unit, to what is seen: -1 to 1 as 0 to 1 of red."
+signed = true
+---*/
+#if DRAWS_OBJECTS
+#include "stages/eye.glsl"
+#include "lib/material.glsl"
+
+vec3 inspect(Material m) {
+    float d = -towardsEye().x;
+    return vec3(d, 0.0, 0.0);
+}
+#else
+#include "lib/display.glsl"
+
+vec3 view(vec3 radiance) {
+    float d = 0.5 + 0.5 * radiance.x;
+    return displayRange(vec3(d, 0.0, 0.0));
+}
+#endif
