@@ -29,7 +29,7 @@ play: system-gl .venv/.stamp-play web/dist/index.html ## serve the playground (H
 .PHONY: test
 test: setup ## run every test (ARGS= goes to pytest); with CI=true a skipped test fails
 	cd web && npm test
-	$(BIN)/pytest $(ARGS)
+	$(BIN)/pytest -n auto --dist loadfile --no-loadscope-reorder $(ARGS)
 
 .PHONY: bench
 bench: setup $(BENCH_NPM) ## measure ms per frame, offline and in Chromium

@@ -27,21 +27,24 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
-NOTES = pytest.StashKey[list[str]]()
+NOTE = "note"
 
 
 @pytest.fixture
 def note(request: pytest.FixtureRequest) -> Callable[[str], None]:
     """Adds a line to what the run reports at its end: a measured error, a rate."""
-    return request.config.stash.setdefault(NOTES, []).append
+    # Properties travel with the report to the process that prints the summary.
+    return lambda line: request.node.user_properties.append((NOTE, line))
 
 
 def pytest_terminal_summary(
     terminalreporter: pytest.TerminalReporter, config: pytest.Config
 ) -> None:
-    if notes := config.stash.get(NOTES, []):
+    reports = (report for group in terminalreporter.stats.values() for report in group)
+    found = (p for r in reports for p in getattr(r, "user_properties", ()))
+    if notes := [line for name, line in found if name == NOTE]:
         terminalreporter.section("measured")
-        for line in notes:
+        for line in dict.fromkeys(notes):
             terminalreporter.line(line)
 
 

@@ -142,6 +142,12 @@ def test_size_defaults_to_640_by_480(client: TestClient) -> None:
     assert picture.size == (640, 480)
 
 
+def test_a_scene_s_own_size(client: TestClient) -> None:
+    url = "/api/render/lab/sphere-intersection.npy"
+    assert npy(client.get(url)).shape == (400, 500, 3)
+    assert npy(client.get(url, params={"width": "50"})).shape == (400, 50, 3)
+
+
 def test_a_scene_setting_changes_the_picture(client: TestClient) -> None:
     wide = npy(client.get("/api/render/box-room.npy", params=SMALL | {"camera.fov": "100"}))
     assert not np.array_equal(wide, npy(client.get("/api/render/box-room.npy", params=SMALL)))

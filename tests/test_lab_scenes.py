@@ -20,7 +20,8 @@ TOLERANCE, SHARE = 1e-4, 0.999
 @pytest.mark.parametrize("name", SCENES)
 def test_as_the_script_has_it(name: str) -> None:
     """Within 1e-4 of float64, but for pixels within one of an edge, and few of those."""
-    image = lb.render(f"lab/{name}", SIZE)
+    image = lb.render(f"lab/{name}")
+    assert image.linear.shape == (400, 500, 3)
     assert image.invalid().total == 0
     truth = trace(SCENES[name])
     wrong = np.abs(image.linear - truth.linear).max(axis=2) > TOLERANCE

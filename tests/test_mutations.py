@@ -32,7 +32,7 @@ DRAWN = [
     path
     for path in FILES
     if "main" in library().files[path].functions
-    or path.startswith("views/")
+    or path.startswith(("stages/", "views/"))
     or any(path == file for file, _ in functions.ELSEWHERE)
 ]
 

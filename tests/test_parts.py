@@ -235,7 +235,7 @@ def test_a_scene_of_parts_needs_nothing_else() -> None:
     made = planned("lab/robot", {})
     assert [p["name"] for p in made["passes"]] == ["forward", "parts", "display"]
     assert made["passes"][0]["batches"] == []
-    assert made["settings"] == ["view", "tonemap", "transfer"]
+    assert made["settings"] == ["view", "tonemap", "transfer", "quantisation"]
     assert "parts" not in [p["name"] for p in planned("box-room", {})["passes"]]
 
 

@@ -1,10 +1,13 @@
 """Ray tracing beside rasterisation, and where its formulas are strained."""
 
+import io
 from collections.abc import Callable
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from PIL import Image as Pillow
+from PIL.PngImagePlugin import PngInfo
 
 import lightbench as lb
 from lightbench import assets, glsl
@@ -12,7 +15,7 @@ from lightbench.image import Image
 from lightbench.scene import Scene
 from lightbench.settings import Setting
 from lightbench.shapes import mesh
-from tests.support import assert_sound, library, presets
+from tests.support import assert_sound, presets
 
 Note = Callable[[str], None]
 SIZE = (200, 150)
@@ -59,7 +62,8 @@ def test_a_ray_sees_what_rasterisation_draws(preset: str, note: Note) -> None:
     assert (wrong & ~beside).mean() < 2e-3
 
 
-VIEWS = [view for view in library().choices("views") if view not in ("light_depth", "overdraw")]
+# One for each way in which a view asks a surface.
+VIEWS = ["final", "uv", "normal", "specular", "distribution", "shadow", "dir_x"]
 
 
 @pytest.mark.parametrize("view", VIEWS)
@@ -288,6 +292,43 @@ def test_total_internal_reflection() -> None:
     assert not seen[sine > 1 / 1.5 + 0.01].any()
 
 
+def lens(x: NDArray[np.float64], ior: float, wall: float) -> NDArray[np.float64]:
+    """Where parallel rays at x, that meet a ball of glass of radius 1, arrive at z = wall."""
+    enters = np.arcsin(x)
+    within = np.arcsin(x / ior)
+    # Twice the angle by which it is bent at a side, and the place where it leaves.
+    bend = 2 * (enters - within)
+    leaves = 2 * within - enters
+    across, depth = np.sin(-leaves), np.cos(leaves)
+    return np.asarray(-across - np.tan(bend) * (-wall - depth))
+
+
+@pytest.mark.parametrize("others", [0, 20])
+def test_a_ball_of_glass_is_a_lens(others: int) -> None:
+    """Every ray through a ball arrives where Snell's law says; by name, and of a list."""
+    glass = {"kd": [0, 0, 0], "ks": [0, 0, 0], "transmittance": 1, "ior": 1.5}
+    wall = {"shape": "plane", "material": "white", "rotation": [90, 0, 0], "scale": [20, 1, 20]}
+    far = {"shape": "cube", "material": "glass", "position": [0, 90, 0]}
+    data: dict[str, object] = {
+        "camera": {"eye": [0, 0, 5], "projection": "orthographic", "height": 0.01},
+        "materials": {"glass": glass, "white": {"emissive": [1, 1, 1], "base_color": [0, 0, 0]}},
+        "objects": {
+            "ball": {"shape": "sphere", "material": "glass"},
+            "wall": {**wall, "position": [10.1, 0, -1.5]},
+            **{f"other{i}": far for i in range(others)},
+        },
+        "settings": {"technique": "whitted", "max_bounces": 4, "ambient": "none"},
+    }
+    image = rendered(data, (801, 5))
+    x = (np.arange(801) - 400) * 0.002
+    inside = np.abs(x) < 0.8
+    arrives = lens(x[inside], 1.5, -1.5)
+    seen = image.linear[2, inside, 0] > 0.5
+    clear = np.abs(arrives - 0.1) > 5e-3
+    np.testing.assert_array_equal(seen[clear], (arrives > 0.1)[clear])
+    assert 0.1 < seen.mean() < 0.9
+
+
 def test_glass_dims_a_shadow() -> None:
     """What lets half of the light through throws half a shadow."""
     glass = {"kd": [0, 0, 0], "ks": [0, 0, 0], "transmittance": 0.5}
@@ -325,3 +366,39 @@ def test_the_scripts_numbers() -> None:
     incoming = np.array([[0.5, 0.5, 0]]) / np.hypot(0.5, 0.5)
     mirrored = glsl.call("lib/ray.glsl", "mirrored", incoming, [[0, 1, 0]])
     np.testing.assert_allclose(mirrored, [[0.71, -0.71, 0]], atol=5e-3)
+
+
+def test_more_images_of_a_size_than_an_array_has_layers() -> None:
+    """300 of them: two arrays, and each object still has its own."""
+    names = [f"t{i}" for i in range(300)]
+    images = {name: image(index) for index, name in enumerate(names)}
+    data = ball()
+    data["textures"] = {name: {"image": images[name], "filter": "nearest"} for name in names}
+    data["materials"] = {
+        name: {"emissive": [1, 1, 1], "maps": {"emissive": {"texture": name}}} for name in names
+    }
+    data["objects"] = {
+        name: {
+            "shape": "plane", "material": name, "position": [index % 20 - 9.5, 7 - index // 20, 0],
+            "rotation": [90, 0, 0],
+        }
+        for index, name in enumerate(names)
+    }  # fmt: skip
+    data["camera"] = {"eye": [0, 0, 10], "projection": "orthographic", "height": 15}
+    data["lights"] = {}
+    seen = rendered(data, (20, 15), ambient="none").linear[..., 0] * 255
+    np.testing.assert_allclose(seen.ravel(), np.arange(300) % 256, atol=1e-3)
+
+
+def image(code: int) -> str:
+    """The key of an image of one grey."""
+    made = io.BytesIO()
+    Pillow.new("L", (1, 1), code % 256).save(made, "PNG", pnginfo=chunk(str(code)))
+    return assets.add_image(made.getvalue(), keep=True)
+
+
+def chunk(text: str) -> PngInfo:
+    """Text that makes the file another one."""
+    info = PngInfo()
+    info.add_text("Comment", text)
+    return info

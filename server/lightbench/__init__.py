@@ -25,15 +25,16 @@ def load(name_or_path: str, limits: Limits | None = None) -> Scene:
     return read_scene(name_or_path, scenes_folder(), limits)
 
 
-def render(scene: Scene | str, size: tuple[int, int] = (640, 480), **settings: Setting) -> Image:
+def render(scene: Scene | str, size: tuple[int, int] | None = None, **settings: Setting) -> Image:
     """Render a scene, or the one of that name, at `size` (width, height) pixels.
 
+    A scene may have a size of its own; else it is (640, 480).
     Settings are those of `lightbench options`, and the scene's own by their path, as in
     `render(scene, **{"lights.key.intensity": 3.0})`. Raises LightbenchError.
     """
     if isinstance(scene, str):
         scene = load(scene)
-    return render_plan(scene, size, settings)
+    return render_plan(scene, size or scene.sized(), settings)
 
 
 def render_plan(

@@ -49,8 +49,8 @@ class RenderRequest(BaseModel):
         dict[str, bool | int | float | str | list[float] | None],
         Field(description="{NAME: VALUE}, see `/api/options`", examples=[{"model": "phong"}]),
     ] = {}
-    width: Annotated[int, Field(ge=1, le=MAX_SIDE)] = 640
-    height: Annotated[int, Field(ge=1, le=MAX_SIDE)] = 480
+    width: Annotated[int | None, Field(ge=1, le=MAX_SIDE)] = None
+    height: Annotated[int | None, Field(ge=1, le=MAX_SIDE)] = None
     format: Format = "png"
 
 
@@ -144,10 +144,13 @@ def get_options(request: Request) -> Response:
     return json_answer(request, options(read_library(shaders_folder())))
 
 
+SIDE = "pixels; where not given, the scene's own, or 640 x 480"
+
+
 def _size(
-    width: Annotated[int, Query(ge=1, le=MAX_SIDE, description="pixels")] = 640,
-    height: Annotated[int, Query(ge=1, le=MAX_SIDE, description="pixels")] = 480,
-) -> tuple[int, int]:
+    width: Annotated[int | None, Query(ge=1, le=MAX_SIDE, description=SIDE)] = None,
+    height: Annotated[int | None, Query(ge=1, le=MAX_SIDE, description=SIDE)] = None,
+) -> tuple[int | None, int | None]:
     return width, height
 
 
@@ -162,7 +165,7 @@ async def get_render(
     request: Request,
     name: str,
     format: Format,  # noqa: A002 -- the name in the route
-    size: Annotated[tuple[int, int], Depends(_size)],
+    size: Annotated[tuple[int | None, int | None], Depends(_size)],
     known: Known = None,
 ) -> Response:
     """The preset `name` under the settings of the query; a setting left out keeps its default."""

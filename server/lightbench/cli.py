@@ -59,10 +59,8 @@ def cli(context: click.Context) -> None:
 @click.option(
     "--size",
     metavar="WxH",
-    default="640x480",
-    show_default=True,
     callback=size_of,
-    help="In pixels.",
+    help="In pixels; default: the scene's own, or 640x480.",
 )
 @click.option(
     "--set", "settings", metavar="NAME=VALUE", multiple=True, callback=assignments_of,
@@ -81,7 +79,7 @@ def cli(context: click.Context) -> None:
 def render(
     scene: str,
     output: str | None,
-    size: tuple[int, int],
+    size: tuple[int, int] | None,
     settings: dict[str, str],
     view: str | None,
     attachment: str | None,
@@ -95,7 +93,7 @@ def render(
     loaded = load(scene, Limits(**limits))
     _check_ending(path)
     given = settings | ({} if view is None else {"view": view})
-    image = render_plan(loaded, size, given, attachment or "linear")
+    image = render_plan(loaded, size or loaded.sized(), given, attachment or "linear")
     if attachment is not None:
         image = image.as_stored()
     image.save(path)

@@ -12,8 +12,12 @@ __all__ = ["assignments_of", "axes_of", "calls_of", "folders", "limits_of", "siz
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
-def size_of(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, int]:
-    """WIDTHxHEIGHT."""
+def size_of(
+    _context: click.Context, _option: click.Parameter, value: str | None
+) -> tuple[int, int] | None:
+    """WIDTHxHEIGHT, where it is given."""
+    if value is None:
+        return None
     match = re.fullmatch(r"(\d{1,6})x(\d{1,6})", value, re.ASCII)
     if match is None:
         raise click.BadParameter(f"{value!r} is not WIDTHxHEIGHT in pixels, such as 640x480")

@@ -37,11 +37,14 @@ Format = Literal["png", "npy", "exr"]
 
 
 class Wanted(NamedTuple):
-    """A picture as a request asks for it; `scene` is a preset's name or a scene's JSON data."""
+    """A picture as a request asks for it; `scene` is a preset's name or a scene's JSON data.
+
+    A side that is not given is the scene's own.
+    """
 
     scene: str | dict[str, Any]
     settings: Mapping[str, Setting]
-    size: tuple[int, int]
+    size: tuple[int | None, int | None]
     format: Format
 
 
@@ -60,7 +63,8 @@ def gl() -> Gl:
 
 def picture(wanted: Wanted, known: str | None) -> Response:
     """The picture, or 304 before anything is rendered if the client has it (If-None-Match)."""
-    planned = _plan(_scene(wanted.scene), wanted.settings, wanted.size)
+    scene = _scene(wanted.scene)
+    planned = _plan(scene, wanted.settings, scene.sized(*wanted.size))
     etag = _etag(planned, wanted.format)
     if matches(known, etag):
         return not_modified(etag)

@@ -30,6 +30,10 @@ from lightbench.scene_types import (
 
 __all__ = ["Camera", "Object", "Scene"]
 
+# The size of a picture where neither its scene nor the one who asks for it gives another.
+SIZE = (640, 480)
+Side = Annotated[int, Field(ge=1, le=16384)]
+
 
 class Camera(BaseModel):
     """A perspective camera whose `fov` is that of the picture's height or width, or an orthographic
@@ -101,6 +105,8 @@ class Object(BaseModel):
 class Scene(BaseModel):
     """A whole scene. `settings` are its own defaults; a caller's settings stand above them.
 
+    `size` is that of its picture in pixels, width and height, where nobody asks for another.
+
     `units = "classic"` marks intensities in which a light of 1 lights a white surface to 1:
     they are multiplied by pi once, here, and the scene is physical from then on.
     """
@@ -113,6 +119,7 @@ class Scene(BaseModel):
     camera: Camera = Camera()
     views: dict[Name, Camera] = {}
     background: HdrColor = (0, 0, 0)
+    size: Annotated[tuple[Side, Side] | None, BeforeValidator(auto)] = None
     textures: dict[Name, Texture] = {}
     meshes: dict[Name, MeshAsset] = {}
     materials: dict[Name, Material]
@@ -155,6 +162,11 @@ class Scene(BaseModel):
             return cls.model_validate(data)
         except ValidationError as error:
             raise SceneError(f"{where}: {_first_problem(error)}") from None
+
+    def sized(self, width: int | None = None, height: int | None = None) -> tuple[int, int]:
+        """(width, height) in pixels of its picture, where a side is not given."""
+        own = self.size or SIZE
+        return width or own[0], height or own[1]
 
     def data(self) -> dict[str, object]:
         """The scene as plain JSON data, every default filled in."""

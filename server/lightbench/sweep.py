@@ -6,9 +6,12 @@ front matter of a file their ranges and the parameters that come with it.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
+from lightbench.assemble import Source
+from lightbench.batches import ById
 from lightbench.contract import same_arguments
 from lightbench.errors import LightbenchError, NotFoundError
 from lightbench.exact.directions import Array
@@ -214,14 +217,19 @@ def _functions(library: Library, path: str) -> list[str]:
 def _asks_scene(library: Library, path: str) -> bool:
     """Whether a file has a uniform that only a scene gives."""
     given = {f"u_{name}" for file in library.files.values() for name in file.meta.parameters}
-    return not set(source_of(library, path, {})[0].uniforms) <= given
+    return not set(_source(ById(library), path).uniforms) <= given
+
+
+@lru_cache(maxsize=512)
+def _source(library: ById, path: str) -> Source:
+    return source_of(library.value, path, {})[0]
 
 
 def _inputs(library: Library, path: str) -> Inputs:
     """The folder's inputs within the file's domain, and the file's own parameters."""
     contract, meta = _contract(path), library.files[path].meta
     given = contract.inputs if contract else ()
-    fields = material_fields(library, source_of(library, path, {})[0])
+    fields = material_fields(library, _source(ById(library), path))
     floats = ((name, p) for name, p in meta.parameters.items() if p.kind == "float")
     own = [_of_parameter(name, p) for name, p in floats if p.range and p.range[0] < p.range[1]]
     read = [each for each in given if each.name in fields or each.name not in MATERIAL_FIELDS]

@@ -205,7 +205,11 @@ def image_arrays(
                 size = texture.image.split("-")[1]
                 alike = (size, texture.encoding, texture.wrap, texture.filter)
                 arrays.setdefault(alike, {})[used.texture] = None
-    return [list(names) for names in arrays.values()]
+    return [
+        list(names)[first : first + MOST_LAYERS]
+        for names in arrays.values()
+        for first in range(0, len(names), MOST_LAYERS)
+    ]
 
 
 def image_numbers(arrays: Sequence[Sequence[str]]) -> dict[str, int]:

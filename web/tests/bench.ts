@@ -175,6 +175,7 @@ export const scene: Scene = {
   camera: { eye: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 45, ...lens },
   views: {},
   background: [0, 0, 0],
+  size: null,
   textures: {},
   meshes: {},
   materials: {

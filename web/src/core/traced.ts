@@ -210,7 +210,12 @@ export function imageArrays(
       arrays.set(alike, (arrays.get(alike) ?? new Set()).add(name));
     }
   }
-  return [...arrays.values()].map((names) => [...names]);
+  return [...arrays.values()].flatMap((names) => chunks([...names], MOST_LAYERS));
+}
+
+function chunks<T>(values: readonly T[], most: number): T[][] {
+  const count = Math.ceil(values.length / most);
+  return Array.from({ length: count }, (_, i) => values.slice(i * most, (i + 1) * most));
 }
 
 /** What shaders know textures by: 256 times the array, and the layer in it. */

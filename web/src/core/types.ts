@@ -201,6 +201,8 @@ export interface SchemaNode {
 /**
  * A whole scene. `settings` are its own defaults; a caller's settings stand above them.
  *
+ * `size` is that of its picture in pixels, width and height, where nobody asks for another.
+ *
  * `units = "classic"` marks intensities in which a light of 1 lights a white surface to 1:
  * they are multiplied by pi once, here, and the scene is physical from then on.
  */
@@ -213,6 +215,7 @@ export interface Scene {
     [k: string]: Camera;
   };
   background: [number, number, number];
+  size: [number, number] | null;
   textures: {
     [k: string]: Texture;
   };
