@@ -19,6 +19,8 @@ from playwright.sync_api import Browser, Page, Playwright, sync_playwright
 from lightbench.api import create_app
 from lightbench.paths import web_folder
 
+# How long a test waits for what a page is to show.
+PATIENCE_MS = 20_000
 COMMON = [
     "--no-sandbox",
     "--disable-background-networking",

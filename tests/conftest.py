@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterator
 from typing import Any
 
 import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.browser import PATIENCE_MS, browsing, serving
 
 # A test may be skipped in CI only for a reason that starts with one of these.
 ALLOWED_SKIPS = ("needs a hardware GPU", "no shared models")
@@ -35,6 +38,21 @@ def note(request: pytest.FixtureRequest) -> Callable[[str], None]:
     """Adds a line to what the run reports at its end: a measured error, a rate."""
     # Properties travel with the report to the process that prints the summary.
     return lambda line: request.node.user_properties.append((NOTE, line))
+
+
+@pytest.fixture(scope="module")
+def site() -> Iterator[str]:
+    """The address of a served playground."""
+    with serving() as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """Chromium on the software rasteriser that the service uses too."""
+    expect.set_options(timeout=PATIENCE_MS)
+    with browsing("llvmpipe") as found:
+        yield found
 
 
 def pytest_terminal_summary(

@@ -12,10 +12,9 @@ from lightbench import atlas_data
 from lightbench.atlas import chart
 from lightbench.sweep import points, sweep_of
 from lightbench.sweep_arguments import arguments
-from tests.browser import browsing, serving
+from tests.browser import PATIENCE_MS, serving
 from tests.support import library
 
-PATIENCE_MS = 15_000
 MAPS = """async ([file, name, x, y]) => {
   const panels = await window.lightbench.atlas(file, name, x, y);
   const text = (array) => {
@@ -26,14 +25,6 @@ MAPS = """async ([file, name, x, y]) => {
   return panels.map((panel) => ({ ...panel, got: text(panel.got), want: null,
     ulp: text(panel.ulp), kind: text(panel.kind) }));
 }"""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """Chromium on the software rasteriser that the service uses too."""
-    expect.set_options(timeout=PATIENCE_MS)
-    with browsing("llvmpipe") as found:
-        yield found
 
 
 @pytest.fixture

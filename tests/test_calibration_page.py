@@ -11,24 +11,10 @@ from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import Browser, Locator, Page, expect
 
-from tests.browser import BACKENDS, COMMON, browsing, chromium, serving
+from tests.browser import BACKENDS, COMMON, PATIENCE_MS, chromium
 from tests.test_calibration_chart import CODES
 
-PATIENCE_MS = 15_000
 Open = Callable[..., Locator]
-
-
-@pytest.fixture(scope="module")
-def site() -> Iterator[str]:
-    with serving() as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    expect.set_options(timeout=PATIENCE_MS)
-    with browsing("llvmpipe") as found:
-        yield found
 
 
 @pytest.fixture

@@ -8,29 +8,13 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, BrowserContext, CDPSession, Page, Route, expect
 
-from tests.browser import browsing, serving
+from tests.browser import PATIENCE_MS
 
 Open = Callable[..., Page]
-PATIENCE_MS = 15_000
 SCENE = "#single-sphere"
 EYE = (0.0, 0.0, 4.2)
 # 0.3 of the scene's extent, which its farthest light makes 5 m.
 METRES_PER_SECOND = 1.5
-
-
-@pytest.fixture(scope="module")
-def site() -> Iterator[str]:
-    """The address of a served playground."""
-    with serving() as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """Chromium on the software rasteriser that the service uses too."""
-    expect.set_options(timeout=PATIENCE_MS)
-    with browsing("llvmpipe") as found:
-        yield found
 
 
 @pytest.fixture

@@ -16,11 +16,10 @@ from playwright.sync_api import Browser, Page, Route, ViewportSize, expect
 from lightbench import assets
 from lightbench.api import create_app
 from lightbench.gltf import Limits
-from tests.browser import browsing, serving
+from tests.browser import PATIENCE_MS, serving
 
 Open = Callable[..., Page]
 Files = dict[str, bytes]
-PATIENCE_MS = 20_000
 SIZE: ViewportSize = {"width": 760, "height": 480}
 # Larger than any model here, smaller than what the browser sends in one piece.
 LIMITS = Limits(file_bytes=1 << 20)
@@ -42,14 +41,6 @@ def site() -> Iterator[str]:
     """The address of a served playground."""
     with serving(create_app(LIMITS)) as address:
         yield address
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """Chromium on the software rasteriser that the service uses too."""
-    expect.set_options(timeout=PATIENCE_MS)
-    with browsing("llvmpipe") as found:
-        yield found
 
 
 @pytest.fixture

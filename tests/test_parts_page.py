@@ -8,9 +8,8 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
 import lightbench as lb
-from tests.browser import browsing, render_in, serving
+from tests.browser import PATIENCE_MS, render_in
 
-PATIENCE_MS = 15_000
 JOINTS = ("Neck", "Left shoulder", "Left elbow", "Right shoulder", "Right elbow",
           "Left hip", "Left knee", "Right hip", "Right knee")  # fmt: skip
 SHOULDER = "parts.right_shoulder.rotation"
@@ -23,21 +22,6 @@ WebGL2RenderingContext.prototype.linkProgram = function (program) {
     link.call(this, program);
 };
 """
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """Chromium on the software rasteriser that the service uses too."""
-    expect.set_options(timeout=PATIENCE_MS)
-    with browsing("llvmpipe") as found:
-        yield found
-
-
-@pytest.fixture(scope="module")
-def site() -> Iterator[str]:
-    """The address of a served playground."""
-    with serving() as address:
-        yield address
 
 
 @pytest.fixture

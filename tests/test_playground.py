@@ -8,29 +8,12 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Locator, Page, Route, ViewportSize, expect
 
-from lightbench.api import create_app
-from tests.browser import browsing, serving
+from tests.browser import PATIENCE_MS
 
 Open = Callable[..., Page]
 # A software rasteriser on a busy machine needs a while for a frame.
-PATIENCE_MS = 15_000
 SIZE: ViewportSize = {"width": 760, "height": 480}
 ROUGHNESS = "materials.sphere.roughness"
-
-
-@pytest.fixture(scope="module")
-def site() -> Iterator[str]:
-    """The address of a served playground."""
-    with serving(create_app()) as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """Chromium on the software rasteriser that the service uses too."""
-    expect.set_options(timeout=PATIENCE_MS)
-    with browsing("llvmpipe") as found:
-        yield found
 
 
 @pytest.fixture

@@ -179,14 +179,12 @@ class Batches:
         }
         if meta.draw == "screen":
             program = self.program(name, meta, NO_PATTERN, None)
-            shared |= self.seen_by_rays()
             declared = self.declared[program]
             draws: list[Draw] = [{
                 "mesh": None, "uniforms": {}, "textures": {}, "arrays": self.arrays_of(declared),
                 "tables": self.tables_of(declared),
             }]  # fmt: skip
-            return [self.batch(name, program, shared, draws, blend=None)]
-        shared |= self.seen_by_rays()
+            return [self.batch(name, program, shared, draws, blend=None, rays=True)]
         things = front_to_back(self.scene, viewpoint.origin)
         return self.objects(name, meta, things, viewpoint, shared, None)
 
@@ -256,7 +254,7 @@ class Batches:
         for pattern, group, blended in runs:
             program = self.program(name, meta, pattern, own)
             draws = [self.draw(program, thing, viewpoint) for thing in group]
-            batch = self.batch(name, program, shared, draws, blend=blended)
+            batch = self.batch(name, program, shared, draws, blend=blended, rays=own is None)
             batch["tile"] = viewpoint.tile
             # A mirrored camera turns every triangle over.
             mirrored = self.scene.camera.mirrored and own is None
@@ -265,10 +263,14 @@ class Batches:
         return batches
 
     def batch(
-        self, name: str, program: int, shared: Uniforms, draws: list[Draw], *, blend: str | None
-    ) -> Batch:
+        self, name: str, program: int, shared: Uniforms, draws: list[Draw], *,
+        blend: str | None, rays: bool,
+    ) -> Batch:  # fmt: skip
+        """`rays`: the program may ask for what rays know of every object."""
         wanted = {n for n, kind in self.declared[program].items() if "sampler" not in kind}
         own = DRAW_NAMES | {n for draw in draws for n in draw["uniforms"]}
+        if rays and not wanted <= own | set(shared):
+            shared = {**shared, **self.seen_by_rays()}
         if unknown := wanted - own - set(shared):
             known = ", ".join(sorted([*shared, *DRAW_NAMES]))
             raise ShaderError(
