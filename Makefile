@@ -12,6 +12,8 @@ ARGS =
 
 BIN := .venv/bin
 GL_PACKAGES := libegl1 libgl1 libgl1-mesa-dri
+# Of Mitsuba's llvm variant, which the benchmark goes without where there is none.
+LLVM_PACKAGES := libllvm19
 WEB_SOURCES := $(shell find web/src web/public web/index.html web/*.json web/*.ts 2>/dev/null)
 BENCH_NPM := $(if $(wildcard bench/package-lock.json),bench/node_modules/.stamp)
 
@@ -32,7 +34,7 @@ test: setup ## run every test (ARGS= goes to pytest); with CI=true a skipped tes
 	$(BIN)/pytest -n auto --dist loadfile --no-loadscope-reorder $(ARGS)
 
 .PHONY: bench
-bench: setup $(BENCH_NPM) ## measure ms per frame, offline and in Chromium
+bench: setup bench-peer $(BENCH_NPM) ## measure frames and rays, offline and in Chromium
 	$(BIN)/python -m bench $(ARGS)
 
 .PHONY: check
@@ -70,6 +72,10 @@ system-chromium:
 	  ! command -v $$name >/dev/null || exit 0; done; \
 	$(call apt,chromium)
 
+.PHONY: bench-peer
+bench-peer: .venv/.stamp-bench
+	@($(call apt,$(LLVM_PACKAGES))) || echo "No $(LLVM_PACKAGES): the benchmark says what it leaves out." >&2
+
 .venv/bin/pip:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || \
 	  { echo "Lightbench needs Python 3.11 or newer: make PYTHON=/path/to/python3.11 ..." >&2; exit 1; }
@@ -83,6 +89,10 @@ system-chromium:
 .venv/.stamp-dev: pyproject.toml | .venv/bin/pip
 	$(BIN)/pip install --quiet --disable-pip-version-check -e '.[dev]'
 	@touch .venv/.stamp-play $@
+
+.venv/.stamp-bench: .venv/.stamp-dev
+	$(BIN)/pip install --quiet --disable-pip-version-check -e '.[bench]' && touch $@ || \
+	  echo "No Mitsuba: the benchmark says what it leaves out." >&2
 
 .PHONY: node
 node:

@@ -30,8 +30,9 @@ def main() -> None:
     print(table("box-room offline: ms per frame, median (quartiles)", rows))
     rows = in_turn("box-room", SETTINGS, SIZES[1], arguments.frames)
     print(comparison(f"{TABLE} offline: ms per frame, median (quartiles)", rows))
-    print(report())
-    for backend in () if arguments.offline else BACKENDS:
+    backends = () if arguments.offline else tuple(BACKENDS)
+    print(report(backends))
+    for backend in backends:
         with benching(backend) as bench:
             for size in SIZES:
                 rows = bench.measure(MODELS[1:], MATERIALS, size, arguments.frames)

@@ -1,19 +1,19 @@
 """Milliseconds per frame in Chromium, ours and three.js's in turn on the same backend."""
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from fastapi import FastAPI
 from fastapi.staticfiles import StaticFiles
-from playwright.sync_api import Page
+from playwright.sync_api import Page, sync_playwright
 
 from bench.figures import Figure
 from bench.offline import Settings
 from lightbench.api import create_app
-from tests.browser import browsing, serving
+from tests.browser import browsing, launched, serving
 
-__all__ = ["AS_NEEDED", "Bench", "benching"]
+__all__ = ["AS_NEEDED", "Bench", "benching", "pages"]
 
 FOLDER = Path(__file__).parent
 ROUNDS = 4
@@ -81,3 +81,18 @@ def benching(backend: str) -> Iterator[Bench]:
         three.goto(f"{address}/bench/three/index.html")
         three.evaluate("ready")
         yield Bench(ours, three)
+
+
+@contextmanager
+def pages(backends: Iterable[str]) -> Iterator[dict[str, Page]]:
+    """Our page in a Chromium of its own on each backend, all open at once."""
+    with ExitStack() as stack:
+        opened: dict[str, Page] = {}
+        for backend in backends:
+            if not opened:
+                address = stack.enter_context(serving())
+                playwright = stack.enter_context(sync_playwright())
+            opened[backend] = stack.enter_context(launched(playwright, backend)).new_page()
+            opened[backend].goto(f"{address}/")
+            opened[backend].evaluate("lightbench.ready")
+        yield opened

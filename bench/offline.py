@@ -10,7 +10,7 @@ from lightbench.plan import plan
 from lightbench.plan_types import Plan
 from lightbench.render import on_gl_thread, renderer
 
-__all__ = ["frames", "in_turn", "times"]
+__all__ = ["frames", "in_turn", "linear_only", "times"]
 
 Settings = Mapping[str, float | str]
 WARM_UP = 5
@@ -51,3 +51,10 @@ def times(made: Plan, count: int) -> list[float]:
         return [image.milliseconds for image in images[WARM_UP:]]
 
     return on_gl_thread(run)
+
+
+def linear_only(whole: Plan) -> Plan:
+    """The plan without the passes after its linear picture."""
+    targets = [planned["target"] for planned in whole["passes"]]
+    last = targets.index(whole["outputs"]["linear"])
+    return {**whole, "passes": whole["passes"][: last + 1]}

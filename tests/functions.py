@@ -22,11 +22,13 @@ __all__ = ["ELSEWHERE", "choices", "hooks", "lib", "promises", "source", "uncall
 Function = tuple[str, str]
 
 VIEWS, SHADOWS, OUTLINES = "test_views.", "test_shadows.", "test_outlines."
-MAPS, BVH = "test_surface_maps.", "test_bvh."
+MAPS, BVH, IMAGES = "test_surface_maps.", "test_bvh.", "test_ray_images."
 WHITTED, LAB = "test_whitted.", "test_lab_scenes."
 ALIKE = WHITTED + "test_a_ray_sees_what_rasterisation_draws"
 SCRIPT = LAB + "test_as_the_script_has_it"
-MESHES = WHITTED + "test_a_sphere_and_its_triangles"
+TREE = "test_sphere_tree.test_pictures_show_the_nearest"
+LISTED = "test_listed.test_a_list_is_what_its_objects_are_by_name"
+VERTICES = "test_listed.test_what_vertices_have_is_what_rasterisation_draws"
 ATTRIBUTES = "test_attributes_lie_between_those_of_the_vertices"
 
 # Files and uniforms that ask for a scene.
@@ -39,7 +41,6 @@ ELSEWHERE: dict[Function, str] = {
         ("lib/bvh.glsl", name): BVH + "test_a_soup"
         for name in ("boxRay", "meshHit", "triangleAtHit")
     },
-    ("lib/bvh.glsl", "meshBlocks"): BVH + "test_nothing_is_met_beyond_its_reach",
     ("lib/bvh.glsl", "nextLeaf"): BVH + "test_only_leaves_in_the_way_are_looked_at",
     ("lib/frame.glsl", "basis"): "test_formulas.test_basis_is_orthonormal_everywhere",
     **{
@@ -48,10 +49,9 @@ ELSEWHERE: dict[Function, str] = {
             "meshAttribute",
             "meshCorner",
             "edgesAt",
-            "meshEdges",
+            "meshFace",
             "meshTexel",
             "meshTriangles",
-            "meshVertices",
         )
     },
     ("lib/bvh.glsl", "metFrom"): BVH + "test_a_ball_from_one_side",
@@ -68,28 +68,32 @@ ELSEWHERE: dict[Function, str] = {
     ("shadows/pcss.glsl", "open"): SHADOWS + "test_no_acne_at_any_resolution",
     ("shadows/pcss.glsl", "penumbra"): SHADOWS + "test_softness_follows_the_light_s_size",
     ("shadows/pcss.glsl", "shadow"): SHADOWS + "test_softness_follows_the_light_s_size",
+    ("shadows/ray.glsl", "passed"): TREE,
     ("shadows/ray.glsl", "shadow"): SCRIPT,
     ("stages/emission.glsl", "readEmission"): MAPS + "test_emission_is_added",
     ("stages/eye.glsl", "towardsEye"): VIEWS + "test_a_term_is_the_mean_over_the_lights",
-    ("stages/images.glsl", "imageAt"): ALIKE,
+    ("stages/images.glsl", "imageAt"): IMAGES + "test_an_image_is_filtered_along_its_print",
     ("stages/leaving.glsl", "leaving"): SCRIPT,
     ("stages/leaving.glsl", "within"): WHITTED + "test_a_slab_moves_what_is_behind_it",
     ("stages/lights.glsl", "brdfCos"): "test_guards.test_a_model_without_its_cosine",
     ("stages/lights.glsl", "fromLights"): VIEWS + "test_the_parts_add_up_to_the_whole",
-    **{("stages/listed.glsl", name): MESHES for name in ("distanceTo", "meshBase", "passesBy")},
-    ("stages/list.glsl", "listed"): MESHES,
-    ("stages/list.glsl", "placeOf"): MESHES,
+    **{("stages/listed.glsl", name): LISTED for name in ("distanceTo", "meshBase")},
+    **{("stages/listed.glsl", name): TREE for name in ("passesBy", "nextListed")},
+    ("stages/list.glsl", "listTexel"): TREE,
+    ("stages/list.glsl", "listed"): LISTED,
+    ("stages/list.glsl", "placeOf"): LISTED,
     ("stages/material.glsl", "readMaterial"): MAPS + "test_a_map_of_one_texel_is_a_factor",
-    ("stages/met.glsl", "beside"): ALIKE,
+    ("stages/met.glsl", "beside"): IMAGES + "test_an_image_seen_at_a_slant",
     ("stages/met.glsl", "met"): SCRIPT,
-    ("stages/met_listed.glsl", "between"): MESHES,
-    ("stages/met_listed.glsl", "metMesh"): MESHES,
-    ("stages/met_listed.glsl", "metOwn"): ALIKE,
-    ("stages/met_listed.glsl", "tangentOn"): ALIKE,
-    ("stages/met_listed.glsl", "uvOn"): ALIKE,
+    ("stages/met_listed.glsl", "between"): VERTICES,
+    ("stages/met_listed.glsl", "metMesh"): VERTICES,
+    ("stages/met_listed.glsl", "metOwn"): LISTED,
+    ("stages/met_listed.glsl", "tangentOn"): LISTED,
+    ("stages/met_listed.glsl", "uvOn"): LISTED,
     ("stages/met_own.glsl", "metOwn"): ALIKE,
+    ("stages/nearest.glsl", "meet"): TREE,
     ("stages/nearest.glsl", "nearest"): SCRIPT,
-    ("stages/nearest.glsl", "normalOf"): MESHES,
+    ("stages/nearest.glsl", "normalOf"): LISTED,
     ("stages/normal.glsl", "readNormal"): MAPS + "test_a_normal_map_tilts_the_normal",
     ("stages/occlusion.glsl", "readOcclusion"): MAPS + "test_occlusion_dims_ambient_light_alone",
     ("stages/opacity.glsl", "readOpacity"): "test_opacity.test_a_mask_is_cut_out",

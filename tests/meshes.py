@@ -42,20 +42,17 @@ void main() {
 ASKED = "(u_table, u_base, origin.xyz, direction.xyz, from, SIDE, origin.w)"
 HIT = f"MeshHit hit = meshHit{ASKED.replace('SIDE', '0.0')};"
 RESULT = "o_result = vec4(hit.distance, float(hit.triangle), hit.weights);"
-EDGES = "mat2x3 edges = meshEdges(u_table, u_base, hit.triangle);"
+FACE = "MeshFace face = meshFace(u_table, u_base, hit.triangle);"
 BODIES = {
     "hit": HIT + RESULT,
     "front": f"MeshHit hit = meshHit{ASKED.replace('SIDE', '1.0')}; {RESULT}",
     "back": f"MeshHit hit = meshHit{ASKED.replace('SIDE', '-1.0')}; {RESULT}",
-    "blocks": f"o_result = vec4(meshBlocks{ASKED.replace('SIDE', '0.0')});",
-    "blocks_back": f"o_result = vec4(meshBlocks{ASKED.replace('SIDE', '-1.0')});",
-    "plane": f"{HIT} {EDGES} o_result = vec4(cross(edges[0], edges[1]), 0.0);",
+    "plane": f"{HIT} {FACE} o_result = vec4(cross(face.edges[0], face.edges[1]), face.edges[0].x);",
     "leaves": "BoxRay ray = boxRay(u_table, u_base, origin.xyz, direction.xyz); int count = 0; "
     "while (ray.at < ray.end) { count += nextLeaf(u_table, ray, origin.w) < 0 ? 0 : 1; } "
     "o_result = vec4(count);",
     **{
-        name: f"{HIT} o_result = meshAttribute(u_table, meshVertices(u_table, u_base, "
-        f"hit.triangle), hit.weights, {name});"
+        name: f"{HIT} {FACE} o_result = meshAttribute(u_table, face.vertices, hit.weights, {name});"
         for name in ("MESH_NORMAL", "MESH_UVS", "MESH_TANGENT", "MESH_COLOR")
     },
 }

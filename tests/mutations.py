@@ -42,7 +42,7 @@ COMMUTATIVE = ("min", "max", "dot", "distance", "halfVector", "clamp")
 BOUNDS = ("min", "max", "clamp", "mix")
 FACTORS = {"return": ("-1.0", "2.0", "0.25", "3.14159265"), "=": ("-1.0", "2.0")}
 # What no factor changes.
-NOTHING = ("0.0", "vec3(0.0)")
+NOTHING = ("0.0", "vec2(0.0)", "vec3(0.0)", "vec4(0.0)")
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ import lightbench as lb
 from lightbench.front_matter import Parameter
 from lightbench.materials import materials
 from lightbench.scene import Scene
+from tests.crowds import CROWDS, crowd_scene
 from tests.part_cases import flat_scenes, part_settings, random_parts
 from tests.support import library, presets
 
@@ -247,10 +248,16 @@ def crowd() -> Scene:
 
 
 @cache
+def crowds() -> dict[str, Scene]:
+    """Scenes of many objects, of every size and in every place."""
+    return {f"many-{name}": crowd_scene(balls, [{}], 0.1) for name, balls in CROWDS.items()}
+
+
+@cache
 def scenes() -> dict[str, Scene]:
     """Every scene of the cases: the presets, the random ones and the crowd."""
     every = {name: lb.load(name) for name in presets()}
-    return {**every, **random_scenes(), **flat_scenes(), "crowd": crowd()}
+    return {**every, **random_scenes(), **flat_scenes(), **crowds(), "crowd": crowd()}
 
 
 def part_cases() -> Iterator[Case]:

@@ -14,6 +14,16 @@ SYMMETRIC = "the function is symmetric in these two"
 BY_NOTHING = "this driver divides a whole number by 0 to 0"
 TURNED = "any two directions at right angles to the ray do, either way round and of any length"
 DIVIDED = "all weights are divided by their sum, and may all be below 0"
+NO_HIT = "no hit is -1 and a hit above 0: nothing lies between"
+BY_SIGN = "it is 1 or -1: dividing by it is multiplying by it"
+NEVER_LEVEL = (
+    "a level ray comes to the plane infinitely far away, or is NaN there: on no side of a bound"
+)
+OUTSIDE = "a point on the surface is outside it by a rounding at most"
+UNIT_LATER = "made unit afterwards"
+BOTH_WAYS = "probes lie alike to both sides"
+IN_VAIN = "what is looked at in vain changes nothing"
+SIZED = "its size is 1 at least"
 ZERO_ANYWAY = "a 0 over something positive is 0"
 
 # File: {the place as it then reads: why nothing changes}.
@@ -62,6 +72,28 @@ EXPECTED_SURVIVORS: dict[str, dict[str, str]] = {
         "boxRay: int order = int(negative.x) + 2 / int(negative.y) + 4 * int(negative.z);": BY_NOTHING,
         "boxRay: int order = int(negative.x) + 2 * int(negative.y) + 4 / int(negative.z);": BY_NOTHING,
         "boxRay: bvec3 negative = lessThanEqual(direction, vec3(0.0));": "across the ray either order's boxes will do",
+    },
+    "lib/cone.glsl": {
+        "coneSide: float a = dot(direction / sides, direction);": BY_SIGN,
+        "coneSide: float b = dot(o / sides, direction) * side;": BY_SIGN,
+        "coneSide: float b = dot(o * sides, direction) / side;": BY_SIGN,
+        "coneSide: float c = dot(o / sides, o);": BY_SIGN,
+        "coneSide: if (false) {": NAN_IS_DARK,
+        "coneSide: if (discriminant < -1.0) {": NAN_IS_DARK,
+        "coneSide: float t = side * (b >= 0.0 ? -(b + root) / a : c / max(root - b, SLIGHT));": TIE,
+        "coneBase: vec2 disk = -1.0 * (origin.xz + t * direction.xz);": SQUARED,
+        "coneHit: float base = direction.y >= 0.0 ? coneBase(origin, direction) : -1.0;": NEVER_LEVEL,
+        "coneHit: float base = direction.y > 0.0 ? coneBase(origin, direction) : -2.0;": NO_HIT,
+        "coneHit: return base >= 0.0 ? base : coneSide(origin, direction, 1.0);": NO_HIT,
+        "coneHit: return base > -1.0 ? base : coneSide(origin, direction, 1.0);": NO_HIT,
+        "coneExit: float base = direction.y <= 0.0 ? coneBase(origin, direction) : -1.0;": NEVER_LEVEL,
+        "coneExit: float base = direction.y < 0.0 ? coneBase(origin, direction) : -2.0;": NO_HIT,
+        "coneExit: return base >= 0.0 ? base : coneSide(origin, direction, -1.0);": NO_HIT,
+        "coneExit: return base > -1.0 ? base : coneSide(origin, direction, -1.0);": NO_HIT,
+        "onBase: return (p.y) < abs(1.0 - p.y - length(p.xz));": OUTSIDE,
+        "onBase: return abs(p.y) <= abs(1.0 - p.y - length(p.xz));": "on the rim either will do",
+        "onBase: return abs(p.y) < (1.0 - p.y - length(p.xz));": OUTSIDE,
+        "coneNormal: return dot(p.xz, p.xz) >= ON_AXIS ? vec3(p.x, length(p.xz), p.z) : vec3(0.0, 1.0, 0.0);": TOLERANCE,
     },
     "lib/conductor.glsl": {
         "clearEta: vec3 s = -1.0 * (1.0 + sqrt(f0));": SQUARED,
@@ -117,6 +149,16 @@ EXPECTED_SURVIVORS: dict[str, dict[str, str]] = {
         "main: gl_Position = vec4(corner * 4.0 - 1.0, 0.5, 1.0);": NO_DEPTH,
         "main: gl_Position = vec4(corner * 4.0 - 1.0, 1.0, 1.0);": NO_DEPTH,
     },
+    "lib/shapes.glsl": {
+        "planeHit: return direction.y / side < 0.0 && t > 0.0 && max(at.x, at.y) <= 0.5 ? t : -1.0;": BY_SIGN,
+        "planeHit: return direction.y * side <= 0.0 && t > 0.0 && max(at.x, at.y) <= 0.5 ? t : -1.0;": NEVER_LEVEL,
+        "cubeSpan: vec3 inverse = 1.0 / mix(direction, vec3(SLIGHT), lessThanEqual(abs(direction), vec3(SLIGHT)));": TOLERANCE,
+        "cubeNormal: vec3 a = 2.0 * (abs(p));": "its parts are compared with each other alone",
+        "roundHit: return dot(origin, origin) > 1.0 && t >= 0.0 ? t * inverse : -1.0;": NO_HIT,
+        "roundHit: return dot(origin, origin) > 1.0 && t > -1.0 ? t * inverse : -1.0;": NO_HIT,
+        "roundExit: return t >= 0.0 ? t * inverse : -1.0;": NO_HIT,
+        "roundExit: return t > -1.0 ? t * inverse : -1.0;": NO_HIT,
+    },
     "lib/specular_power.glsl": {
         "specularPower: float logCos = sin2 <= 0.25 ? 0.5 * log1p(-sin2) : log(c);": TIE,
     },
@@ -164,6 +206,9 @@ EXPECTED_SURVIVORS: dict[str, dict[str, str]] = {
         "facetsSeen: return masking(v, l, h, alpha) / (4.0 * max(l.z, GRAZING_COS) * max(v.z, GRAZING_COS));": SYMMETRIC,
         "brdf: vec3 F = fresnel(m, dot(l, h));": "l.h = v.h",
     },
+    "models/lab.glsl": {
+        "brdfCos: float lobe = h.z >= LAB_COS_MIN ? specularPower(h.z, dot(h.xy, h.xy), m.shininess) : 0.0;": "a half vector is rounded, and so is on which side of the bound it falls",
+    },
     "models/phong.glsl": {
         "brdfCos: vec3 e = -1.0 * (r - v);": SQUARED,
     },
@@ -174,6 +219,27 @@ EXPECTED_SURVIVORS: dict[str, dict[str, str]] = {
         "main: vec3 radiance = texelFetch(u_radiance, corner + ivec2(y, x), 0).rgb;": "the same samples, column by column",
         "main: o_linear = vec4(radiance, 2.0);": UNREAD,
         "main: o_linear = vec4(mean, 2.0);": UNREAD,
+    },
+    "stages/images.glsl": {
+        "for (float i = 0.5; i <= count; i += 1.0) {": "count is whole, and i is not",
+        "vec2 along = right >= up ? steps.xy : steps.zw;": "a print as wide as high has one probe, in its middle",
+        "float level = log2((most / count));": "below level 0 there is the image itself",
+        "vec2 size = -1.0 * (vec2(textureSize(u_images@{index}, 0).xy));": SQUARED,
+    },
+    "stages/listed.glsl": {
+        "passesBy: vec3 nearest = -1.0 * (f + along * ray.direction);": SQUARED,
+        "passesBy: return dot(nearest, nearest) >= around.w * around.w || along < -around.w || along - around.w > reach;": "there is room around what is in the sphere",
+        "passesBy: return dot(nearest, nearest) > around.w * around.w && along < -around.w || along - around.w > reach;": IN_VAIN,
+        "distanceTo: bool both = what.w <= 0.0;": SIZED,
+        "distanceTo: bool both = what.w < 0.5;": SIZED,
+        "distanceTo: float seen = !both ? side : direction.y <= 0.0 ? 1.0 : -1.0;": NEVER_LEVEL,
+    },
+    "stages/met_listed.glsl": {
+        "uvOn: vec2 uv = vec2(-1.0);": "every shape sets its own",
+        "tangentOn: return 0.25 * (tangent);": UNIT_LATER,
+        "metMesh: vec3 inRight = -1.0 * (vec4(right, 0.0) * hit.place);": BOTH_WAYS,
+        "metMesh: vec4 toUp = -1.0 * (between(vertices, alongEdges(inUp, edges[0], edges[1]), MESH_UVS) - first);": BOTH_WAYS,
+        "metOwn: v_uv0_steps = -1.0 * (vec4(uvOn(hit.what.x, own + vec4(right, 0.0) * hit.place) - v_uv0, uvOn(hit.what.x, own + vec4(up, 0.0) * hit.place) - v_uv0));": BOTH_WAYS,
     },
     "transfers/srgb.glsl": {
         "transfer: return min(mix(curve, 12.92 * c, lessThan(c, vec3(SRGB_TOE))), 1.0);": TIE,

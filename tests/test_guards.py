@@ -41,6 +41,28 @@ def masked(name: str, function: str, *given: Any, alpha: float = 0.3) -> float:
 # Below the horizon, and on it
 
 
+def test_a_grazing_cosine_is_none_to_the_lab() -> None:
+    """Up to 0.001, n.l ends all light and n.h the highlight: kd n.l + ks, where s is 0."""
+    m = {name: row[:1] for name, row in samples.material([0.5], [0.0]).items()}
+    kd, ks = m["kd"].astype(np.float64), m["ks"].astype(np.float64)
+
+    def lit(l: Any, v: Any) -> Array:
+        return evaluate("models/lab.glsl", "brdfCos", (m, single(l), single(v)), {})
+
+    low, high = np.array([[5e-4], [9.9e-4], [1e-3]]), np.array([[1.01e-3], [1.5e-3], [0.1]])
+    for cosine, want in ((low, 0.0 * ks), (high, kd * high + ks)):
+        l = np.hstack([np.sqrt(1.0 - cosine**2), 0.0 * cosine, cosine])
+        np.testing.assert_allclose(lit(l, UP) - want, 0.0, atol=1e-6)
+    # Seen from below, just so that n.h is that cosine.
+    l = np.array([[0.8, 0.0, 0.6]])
+    for half, want in ((low, kd * 0.6), (high, kd * 0.6 + ks)):
+        h = np.hstack([np.sqrt(1.0 - half**2), 0.0 * half, half])
+        v = 2.0 * (h @ l.T) * h - l
+        kept = np.abs(half[:, 0] - 1e-3) > 1e-6
+        found = lit(np.broadcast_to(l, v.shape), v)[kept]
+        np.testing.assert_allclose(found, np.broadcast_to(want, found.shape), rtol=1e-6)
+
+
 @pytest.mark.parametrize("name", MASKINGS)
 def test_nothing_is_seen_below_the_horizon(name: str) -> None:
     for function in ("masking", "visibility"):

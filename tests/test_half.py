@@ -160,7 +160,7 @@ def test_every_file_is_halved_on_its_own_lines() -> None:
     names = {f.setting: f.default for f in found.folders.values()}
     values = {n: 0.0 for file in found.files.values() for n in file.meta.parameters}
     values |= {**UNTRACED, "draws_objects": 1.0, "orthographic": 0.0, "signed": 0.0}
-    values |= dict(scene_defines(Scene(materials={}, objects={})))
+    values |= dict(scene_defines(Scene(materials={}, objects={}), 0))
     lamp = {"index": "0", "point": "1", "directional": "0", "spot": "0", "positional": "1"}
     lists = light_lists((tuple({**lamp, "casts": "1", "cube": "1"}.items()),))
     lists |= dict.fromkeys(UNTRACED_LISTS, ())

@@ -228,6 +228,17 @@ def test_parts_lie_over_objects() -> None:
     assert np.array_equal(both[20, 30], alone[20, 30])
 
 
+# Those that draw
+PICTURES = (
+    "test_the_robot_is_that_of_float64",
+    "test_parts_are_those_of_float64",
+    "test_the_shorter_side_runs_from_minus_one_to_one",
+    "test_a_later_part_lies_over_an_earlier_one",
+    "test_a_line_is_as_wide_as_it_says",
+    "test_parts_lie_over_objects",
+)
+
+
 # Plans
 
 

@@ -110,6 +110,35 @@ def test_a_tab_without_content_gives_way_and_comes_back(open_page: Any) -> None:
     expect(chosen).to_have_text("Model")
 
 
+def test_a_flat_scene_offers_no_camera_and_none_moves(open_page: Any) -> None:
+    page = open_page("#box-room")
+    modes, hint = page.locator("#modes"), page.locator("#hint")
+    expect(modes).to_be_visible()
+    expect(hint).to_be_visible()
+    page.evaluate("location.hash = '#lab/robot'")
+    expect(modes).to_be_hidden()
+    expect(hint).to_be_hidden()
+    picture = page.locator("#picture")
+    expect(picture).to_have_attribute("aria-label", "The picture")
+    box = picture.bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + 100, box["y"] + 100)
+    page.mouse.wheel(0, 200)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 160, box["y"] + 130, steps=4)
+    page.mouse.up()
+    for key in ("ArrowLeft", "+", "f", "w", "Home"):
+        page.keyboard.press(key)
+    page.wait_for_timeout(500)
+    assert settings(page) == {}
+    expect(page.locator("#walk-hint")).to_be_hidden()
+    page.keyboard.press("Control+z")  # nothing was done but to come here
+    expect(page).to_have_title("Box room · Lightbench")
+    expect(modes).to_be_visible()
+    expect(hint).to_be_visible()
+    expect(page.locator("#orbit")).to_have_attribute("aria-pressed", "true")
+
+
 def test_the_same_robot_in_the_browser(open_page: Any) -> None:
     """Bit by bit what the offline renderer draws."""
     page, size = open_page("#lab/robot"), (160, 120)

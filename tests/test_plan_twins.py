@@ -16,6 +16,7 @@ from lightbench.schema import schema
 from tests.plan_cases import (
     SIZE,
     Case,
+    crowds,
     library_cases,
     part_cases,
     random_cases,
@@ -126,6 +127,11 @@ def test_every_choice_of_rays() -> None:
     rays = {"technique": "whitted", "shadow": "ray"}
     check(library(), [("normal-maps", {**rays, **own}, SIZE) for own in alternatives()])
     check(library(), [(name, rays, SIZE) for name in ("model-room", "toon-garden", "box-room")])
+
+
+def test_trees_of_many_objects() -> None:
+    """Where centres, sizes and distances are alike, too."""
+    check(library(), [(name, {"camera.fov": 40}, SIZE) for name in crowds()])
 
 
 def test_other_passes(tmp_path: Path) -> None:

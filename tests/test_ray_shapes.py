@@ -86,10 +86,44 @@ def test_within_the_plane_of_a_cube_s_face() -> None:
     origin = np.array([[-2.0, y, 0.1] for y in beside])
     for zero in (0.0, -0.0):
         hits, left = (asked(f"cube{end}", origin, [[1.0, zero, zero]]) for end in ("Hit", "Exit"))
-        for ends in zip(hits[:2], left[:2], strict=True):
-            assert ends in ((1.5, 2.5), (-1.0, -1.0))
+        # One of the two: so has one of two cubes side by side what runs between them.
+        assert sorted(zip(hits[:2], left[:2], strict=True)) == [(-1.0, -1.0), (1.5, 2.5)]
         np.testing.assert_allclose(hits[2:], [1.5, 1.5, -1.0, -1.0], rtol=1e-6)
         np.testing.assert_allclose(left[2:], [2.5, 2.5, -1.0, -1.0], rtol=1e-6)
+
+
+def test_a_ray_has_not_met_what_it_starts_on() -> None:
+    for function, origin, direction in (
+        ("coneHit", [0, 1, 0], [0, -1, 0]), ("coneExit", [0, 1, 0], [0, 1, 0]),
+        ("coneBase", [0.5, 0, 0], [0, 1, 0]), ("cubeHit", [0.5, 0, 0.1], [-1, 0, 0]),
+        ("cubeExit", [0.5, 0, 0.1], [1, 0, 0]), ("roundHit", [0, 0, 1], [0, 0, -1]),
+        ("roundExit", [0, 0, 1], [0, 0, 1]),
+    ):  # fmt: skip
+        assert asked(function, [origin], [direction])[0] == -1.0, function
+    for side in (1.0, -1.0):
+        assert asked("planeHit", [[0.1, 0, 0.2]], [[0, -side, 0]], [side])[0] == -1.0
+
+
+def test_a_sphere_is_met_from_near_by() -> None:
+    """Straight down from a height: that is how far it is."""
+    height = np.array([1e-3, 0.02, 0.1, 0.3, 0.41, 0.6])
+    up = unit(np.random.default_rng(8).normal(size=(len(height), 3)))
+    found = asked("roundHit", (1.0 + height[:, None]) * up, -up)
+    np.testing.assert_allclose(found, height, rtol=1e-6, atol=3e-7)
+
+
+def test_an_edge_belongs_to_its_shape() -> None:
+    """Rims, corners and edges, where float32 says exactly that a ray comes to them."""
+    assert asked("coneBase", [[1, -2, 0]], [[0, 1, 0]])[0] == 2.0
+    assert asked("planeHit", [[0.5, 3, -0.5]], [[0, -1, 0]], [1.0])[0] == 3.0
+    for end in ("Hit", "Exit"):
+        assert asked(f"cube{end}", [[-1.5, -0.5, 0]], [[1, 1, 0]])[0] == 1.0
+    # Within the plane of the base, through its middle.
+    assert asked("coneHit", [[-3, 0, 0]], [[1, 0, 0]])[0] == 2.0
+    assert asked("coneExit", [[-3, 0, 0]], [[1, 0, 0]])[0] == 4.0
+    edges = [[0.5, 0.5, 0.1], [-0.5, 0.1, 0.5], [0.1, -0.5, 0.5], [0.5, 0.5, -0.5]]
+    faces = [[1, 0, 0], [-1, 0, 0], [0, -1, 0], [1, 0, 0]]
+    np.testing.assert_array_equal(asked("cubeNormal", edges), faces)
 
 
 def test_a_ray_within_the_plane_never_meets_it() -> None:

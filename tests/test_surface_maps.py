@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import lightbench as lb
+from lightbench.errors import GraphicsError
 from lightbench.exact.directions import Array, unit
 from lightbench.exact.display import srgb_code
 from lightbench.scene import Scene
@@ -309,3 +310,13 @@ def test_unlit_is_the_base_colour() -> None:
         for settings in ({}, {"ambient": "constant"}, {"shadow": "hard"}, {"model": "toon"}):
             got = shown(scene, **settings)
             np.testing.assert_allclose(got, np.broadcast_to(want, got.shape), rtol=1e-6)
+
+
+def test_coordinates_that_a_mesh_lacks() -> None:
+    """A map by the second coordinates, on a shape that has only the first."""
+    scene: dict[str, Any] = lb.load("texture-compare").data()
+    material = next(m for m in scene["materials"].values() if m["maps"])
+    for used in material["maps"].values():
+        used["uv"] = 1
+    with pytest.raises(GraphicsError, match="has no uvs1 for a_uv1"):
+        lb.render(Scene.parse(scene), (32, 24))

@@ -5,6 +5,7 @@ from functools import lru_cache
 from itertools import groupby
 
 from lightbench.assemble import Record, Request, Source, assemble
+from lightbench.constants import with_constants
 from lightbench.errors import ShaderError
 from lightbench.front_matter import Pass
 from lightbench.library import Library
@@ -127,7 +128,8 @@ def define_values(library: Library, resolved: Resolved) -> tuple[tuple[str, floa
     signed = any(library.files[path].meta.signed for path in chosen)
     orthographic = resolved.scene.camera.projection == "orthographic"
     frame = (("orthographic", float(orthographic)), ("signed", float(signed)))
-    return (*numbers, *frame, *scene_defines(resolved.scene))
+    bounces = float(str(resolved.values.get("max_bounces", 0)))
+    return (*numbers, *frame, *scene_defines(resolved.scene, bounces))
 
 
 class Batches:
@@ -153,6 +155,8 @@ class Batches:
         self.images: list[list[str]] = []
         # Uniforms of each program of the plan, with their types.
         self.declared: list[Mapping[str, str]] = []
+        # The programs that rays begin in.
+        self.tracers: set[int] = set()
 
     def reads(self, name: str, meta: Pass) -> dict[str, list[str]]:
         """What the files of a pass read and its code names: the lights of each, "" for none."""
@@ -184,9 +188,18 @@ class Batches:
                 "mesh": None, "uniforms": {}, "textures": {}, "arrays": self.arrays_of(declared),
                 "tables": self.tables_of(declared),
             }]  # fmt: skip
-            return [self.batch(name, program, shared, draws, blend=None, rays=True)]
+            batch = self.batch(name, program, shared, draws, blend=None, rays=True)
+            if program in self.tracers and self.resolved.values.get("constants"):
+                self.settle(batch)
+            return [batch]
         things = front_to_back(self.scene, viewpoint.origin)
         return self.objects(name, meta, things, viewpoint, shared, None)
+
+    def settle(self, batch: Batch) -> None:
+        """Give the program of a batch that is the only one to run it its uniforms as constants."""
+        program = self.result["programs"][batch["program"]]
+        program["fragment"] = with_constants(program["fragment"], batch["uniforms"])
+        batch["uniforms"] = {}
 
     def seen_by_rays(self) -> Uniforms:
         numbers = image_numbers(self.images)
@@ -363,10 +376,11 @@ class Batches:
         self.images = image_arrays(
             self.scene, self.surfaces, dict(zip(patterns, parts, strict=True))
         )
-        self.own = own_values(self.scene, parts)
+        defines = dict(self.defines)
+        self.own = own_values(defines, parts)
         parts = [self.assembled(SURFACE, "FRAGMENT", pattern, values) for pattern in patterns]
         by_kind = {
-            f"SURFACE{i}_VALUES": own_values(self.scene, [part]) for i, part in enumerate(parts)
+            f"SURFACE{i}_VALUES": own_values(defines, [part]) for i, part in enumerate(parts)
         }
         kinds: Records = tuple((("index", str(i)),) for i in range(len(parts)))
         main = self.assembled(
@@ -391,6 +405,8 @@ class Batches:
         if made not in programs:
             programs.append(made)
             self.declared.append({**vertex.uniforms, **fragment.uniforms})
+            if TRACING in fragment.files:
+                self.tracers.add(len(programs) - 1)
             self.note("files", [*vertex.files, *fragment.files])
             self.note("settings", [*vertex.settings, *fragment.settings])
         return programs.index(made)

@@ -103,6 +103,8 @@ def drawing(
         for compiled in programs:
             _set_parameters(compiled, prepared.resolved, {*samplers, *uniforms})
         context.enable_only(moderngl.NOTHING)
+        # A picture that failed half-way may have left those of its images.
+        context.clear_samplers()
         yield [partial(_draw, compiled) for compiled in programs], framebuffer
     for item in (*textures, *framebuffer.color_attachments, framebuffer):
         item.release()

@@ -269,7 +269,9 @@ class Renderer:
         """One attribute (or the indices) of a mesh."""
         if (key, attribute) not in self._buffers:
             field = ATTRIBUTES[attribute][0] if attribute in ATTRIBUTES else attribute
-            data: NDArray[np.generic] = getattr(mesh(key), field)
+            data: NDArray[np.generic] | None = getattr(mesh(key), field)
+            if data is None:
+                raise GraphicsError(f"the mesh {key} has no {field} for {attribute}")
             self._buffers[key, attribute] = self.context.buffer(
                 np.ascontiguousarray(data).tobytes()
             )

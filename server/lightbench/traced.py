@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from lightbench import matrix
 from lightbench.assemble import Source
@@ -9,6 +10,7 @@ from lightbench.bounds import bounding_sphere
 from lightbench.placement import corners, inverse_matrix
 from lightbench.scene import Object, Scene
 from lightbench.scene_surfaces import Material
+from lightbench.sphere_tree import ROOM, sphere_tree
 from lightbench.surface import Pattern, Surface
 from lightbench.values import DRAW_NAMES, Values, float32, material_values, texture_transform
 
@@ -32,15 +34,14 @@ Records = tuple[tuple[tuple[str, str], ...], ...]
 # The file that says what a kind of surface sends to the eye, and the one that asks it.
 SURFACE, TRACING = "stages/surface.glsl", "stages/shaded.glsl"
 DEFAULT_IOR = 1.5
-# Texels of an object before its own values; room around what is in it.
+# Texels of an object before its own values.
 FIRST_VALUE = 5
-ROOM = 1 + 1e-5
 # Layers that WebGL2 promises for an array.
 MOST_LAYERS = 256
 # What functions and constants of shapes are called. A ball is a sphere of one scale.
 SHAPES = ("ball", "triangle", "plane", "cube", "cone", "round", "mesh")
-# Objects from which on rays ask a list. By name is faster as far as was measured, but takes up to
-# 14 of the 224 uniforms that WebGL2 promises to a shader.
+# Objects from which on rays ask a list. Fewer are faster by name (of balls under a lamp up to 16 or
+# 20), but each takes up to 14 of the 224 uniforms that WebGL2 promises to a shader.
 LONG = 16
 # What a ray may find where it meets an object.
 FOUND = ("position", "normal", "to_eye", "front", "tangent", "uv0", "uv1", "color")
@@ -51,14 +52,21 @@ def object_records(scene: Scene, surfaces: Mapping[int, Surface]) -> Records:
     """The records of OBJECTS: how each is met, and the number of its kind of surface."""
     kinds = patterns_of(scene, surfaces)
     return tuple(
-        tuple(_record(scene, index, thing, kinds.index(surfaces[id(thing)].pattern)).items())
+        tuple(_record(scene, index, thing, kinds.index(_kind(surfaces[id(thing)]))).items())
         for index, thing in enumerate(scene.objects.values())
     )
 
 
 def patterns_of(scene: Scene, surfaces: Mapping[int, Surface]) -> list[Pattern]:
     """The kinds of surface that there are."""
-    return list(dict.fromkeys(surfaces[id(thing)].pattern for thing in scene.objects.values()))
+    return list(dict.fromkeys(_kind(surfaces[id(thing)]) for thing in scene.objects.values()))
+
+
+def _kind(surface: Surface) -> Pattern:
+    """Whether both sides are seen is the object's affair: it makes no kind of its own."""
+    pattern = surface.pattern
+    flags = tuple(flag for flag in pattern.flags if flag != "DOUBLE_SIDED")
+    return replace(pattern, flags=flags)
 
 
 def shape_of(thing: Object) -> str:
@@ -74,6 +82,11 @@ def is_listed(scene: Scene) -> bool:
     return len(things) >= LONG or any(thing.mesh is not None for thing in things)
 
 
+def _has_two_sides(material: Material) -> bool:
+    """Whether rays meet its back, too: that of glass they do on their way out."""
+    return material.double_sided or material.transmittance > 0
+
+
 def _record(scene: Scene, index: int, thing: Object, kind: int) -> dict[str, str]:
     material = scene.materials[thing.material]
     shape = shape_of(thing)
@@ -84,6 +97,7 @@ def _record(scene: Scene, index: int, thing: Object, kind: int) -> dict[str, str
         "placed": not ball and not triangle,
         "plane": thing.shape == "plane",
         "double": material.double_sided,
+        "open": _has_two_sides(material),
         "solid": material.alpha_mode != "blend",
         "transmits": material.transmittance > 0,
     }
@@ -92,21 +106,24 @@ def _record(scene: Scene, index: int, thing: Object, kind: int) -> dict[str, str
     return {"index": str(index), "shape": name, "kind": str(kind), **truths}
 
 
-def scene_defines(scene: Scene) -> tuple[tuple[str, float], ...]:
-    """Which kinds of object there are; whether rays are sent on, and how."""
+def scene_defines(scene: Scene, bounces: float) -> tuple[tuple[str, float], ...]:
+    """Which kinds of object there are; whether rays are sent on, up to `bounces` times, and how."""
     things = scene.objects.values()
     used = [scene.materials[thing.material] for thing in things]
     shapes = {shape_of(thing) for thing in things}
     blended = any(material.alpha_mode != "opaque" for material in used)
     transmits = any(material.transmittance > 0 for material in used)
+    refracts = transmits and bounces > 0
     return (
         *((f"any_{shape}", float(shape in shapes)) for shape in SHAPES),
         ("any_placed", float(bool(shapes - {"ball", "triangle", "mesh"}))),
         ("listed", float(is_listed(scene))),
-        ("reflects", float(any(material.reflectance > 0 for material in used))),
+        ("any_double", float(any(material.double_sided for material in used))),
+        ("reflects", float(bounces > 0 and any(material.reflectance > 0 for material in used))),
         ("transmits", float(transmits)),
+        ("refracts", float(refracts)),
         ("blended", float(blended)),
-        ("branches", float(transmits or blended)),
+        ("branches", float(refracts or blended)),
     )
 
 
@@ -122,7 +139,7 @@ def taken(parts: Iterable[Source]) -> tuple[tuple[str, float], ...]:
     )
 
 
-def own_values(scene: Scene, parts: Iterable[Source]) -> Records:
+def own_values(defines: Mapping[str, float], parts: Iterable[Source]) -> Records:
     """The records of OBJECT_VALUES: what each object has its own value of, and its type."""
     found = {
         name: kind
@@ -130,10 +147,9 @@ def own_values(scene: Scene, parts: Iterable[Source]) -> Records:
         for name, kind in part.uniforms.items()
         if name in DRAW_NAMES or _TEXTURE.fullmatch(name)
     }
-    defines = dict(scene_defines(scene))
     if defines["reflects"]:
         found["u_reflectance"] = "float"
-    if defines["transmits"]:
+    if defines["refracts"]:
         found |= {"u_transmittance": "float", "u_refraction": "float"}
     texel, records = FIRST_VALUE, []
     for name in sorted(found):
@@ -161,16 +177,17 @@ def object_list(
     scene: Scene, surfaces: Mapping[int, Surface], given: Values, values: Records,
     meshes: Sequence[str],
 ) -> list[float]:  # fmt: skip
-    """The texels of every object (shaders/stages/list.glsl), as `given` in `object_values`."""
+    """The texels of every object (shaders/stages/list.glsl), as `given` in `object_values`, and of
+    the tree about them. Raises SceneError.
+    """
     kinds, eye, texels = patterns_of(scene, surfaces), scene.camera.eye, list[float]()
     for index, thing in enumerate(scene.objects.values()):
         material, shape = scene.materials[thing.material], shape_of(thing)
         center, radius = bounding_sphere(scene, thing)
         size = meshes.index(scene.meshes[thing.mesh].mesh) if thing.mesh else thing.scale[0]
         stopped = 0.0 if material.alpha_mode == "blend" else 1.0 - material.transmittance
-        both = material.double_sided or material.transmittance > 0
-        stops = -1.0 - stopped if both else 1.0 + stopped
-        kind = kinds.index(surfaces[id(thing)].pattern)
+        stops = -1.0 - stopped if _has_two_sides(material) else 1.0 + stopped
+        kind = 2 * kinds.index(_kind(surfaces[id(thing)])) + material.double_sided
         texels += [*matrix.subtract(center, eye), radius * ROOM]
         texels += [SHAPES.index(shape), kind, size, stops]
         texels += _rows(thing, eye)
@@ -180,7 +197,8 @@ def object_list(
             padded = [*value, *([0.0] * (wide - len(value)))]
             for at in range(0, wide, 3):
                 texels += [*padded[at : at + 3], 0.0]
-    return float32(texels)
+    made, wide = float32(texels), 4 * texels_of(values)
+    return made + sphere_tree([made[at : at + 4] for at in range(0, len(made), wide)])
 
 
 def _rows(thing: Object, eye: Sequence[float]) -> list[float]:
@@ -200,7 +218,7 @@ def image_arrays(
     for thing in scene.objects.values():
         surface = surfaces[id(thing)]
         for i, used in enumerate(surface.texels):
-            if f"u_texture{i}" in parts[surface.pattern].uniforms:
+            if f"u_texture{i}" in parts[_kind(surface)].uniforms:
                 texture = scene.textures[used.texture]
                 size = texture.image.split("-")[1]
                 alike = (size, texture.encoding, texture.wrap, texture.filter)

@@ -113,25 +113,3 @@ MeshHit meshHit(highp isampler2D table, int base, vec3 origin, vec3 direction, i
     }
     return hit;
 }
-
-// Whether there is any such hit: for shadows, done at the first one.
-bool meshBlocks(highp isampler2D table, int base, vec3 origin, vec3 direction, int from,
-                float side, float reach) {
-    BoxRay ray = boxRay(table, base, origin, direction);
-    Projection p = projection(direction);
-    int triangles = meshTriangles(table, base);
-    while (ray.at < ray.end) {
-        int leaf = nextLeaf(table, ray, reach);
-        int triangle = leaf >> COUNT_BITS;
-        int last = triangle + (leaf & COUNT_MASK);
-        for (; triangle < last && leaf >= 0; ++triangle) {
-            int at = triangles + CORNERS * triangle;
-            vec3 met = triangleAtHit(table, at, origin, p);
-            if (met.x > 0.0 && met.x < reach && triangle != from &&
-                metFrom(table, at, direction, side)) {
-                return true;
-            }
-        }
-    }
-    return false;
-}

@@ -35,18 +35,22 @@ mat2x3 edgesAt(highp isampler2D table, int at) {
     return mat2x3(meshCorner(table, at + 1) - a, meshCorner(table, at + 2) - a);
 }
 
-// Two edges of a triangle; its front is where they turn counter-clockwise.
-mat2x3 meshEdges(highp isampler2D table, int base, int triangle) {
-    return edgesAt(table, meshTriangles(table, base) + CORNERS * triangle);
-}
+// A triangle: two of its edges, which turn counter-clockwise where its front is seen, and the texels
+// where its vertices begin.
+struct MeshFace {
+    mat2x3 edges;
+    ivec3 vertices;
+};
 
-// The texels where a triangle's vertices begin.
-ivec3 meshVertices(highp isampler2D table, int base, int triangle) {
+MeshFace meshFace(highp isampler2D table, int base, int triangle) {
     int at = meshTriangles(table, base) + CORNERS * triangle;
+    ivec4 a = meshTexel(table, at);
+    ivec4 b = meshTexel(table, at + 1);
+    ivec4 c = meshTexel(table, at + 2);
+    vec3 corner = intBitsToFloat(a.xyz);
     ivec4 vertices = meshTexel(table, base + 2);
-    ivec3 places = ivec3(meshTexel(table, at).w, meshTexel(table, at + 1).w,
-                         meshTexel(table, at + 2).w);
-    return base + vertices.x + vertices.y * places;
+    return MeshFace(mat2x3(intBitsToFloat(b.xyz) - corner, intBitsToFloat(c.xyz) - corner),
+                    base + vertices.x + vertices.y * ivec3(a.w, b.w, c.w));
 }
 
 // What the vertices of a hit have in their texel MESH_NORMAL, MESH_UVS, MESH_TANGENT or MESH_COLOR,

@@ -18,27 +18,38 @@ uniform float u_object@{index}_transmittance;
 #endfor
 #endif
 
+#if LISTED
+// The share of light that an object lets through.
+float passed(int i, Ray ray, Receiver r) {
+    vec4 what = listed(i, WHAT);
+    float stopped = abs(what.w) - 1.0;
+    if (stopped > 0.0 && (i != r.object || what.x == MESH)) {
+#if TRANSMITS
+        float distance = distanceTo(i, what, ray, -1.0, false, r.distance).distance;
+#else
+        float distance = distanceTo(i, what, ray, -1.0, r.distance).distance;
+#endif
+        if (distance > 0.0 && distance < r.distance) {
+            return 1.0 - stopped;
+        }
+    }
+    return 1.0;
+}
+#endif
+
 float shadow(int light, Receiver r) {
     Ray ray = leaving(r.position, r.normal, r.toLight);
     float share = 1.0;
-#if LISTED
-    for (int i = 0; i < OBJECT_COUNT; ++i) {
-        if (!passesBy(ray, listed(i, AROUND), r.distance)) {
-            vec4 what = listed(i, WHAT);
-            float stopped = abs(what.w) - 1.0;
-            if (stopped > 0.0 && (i != r.object || what.x == MESH)) {
-#if TRANSMITS
-                float distance = distanceTo(i, what, ray, -1.0, false, r.distance).distance;
-#else
-                float distance = distanceTo(i, what, ray, -1.0, r.distance).distance;
-#endif
-                if (distance > 0.0 && distance < r.distance) {
-                    share *= 1.0 - stopped;
-                }
-            }
-            if (share == 0.0) {
-                return 0.0;
-            }
+#if LISTED && OBJECT_COUNT == 1
+    if (r.NoL > 0.0) {
+        share = passed(0, ray, r);
+    }
+#elif LISTED
+    share = r.NoL > 0.0 ? 1.0 : 0.0;
+    for (int at = TREE; at < TREE_END && share > 0.0;) {
+        int i = nextListed(ray, r.distance, at);
+        if (i != NOTHING) {
+            share *= passed(i, ray, r);
         }
     }
 #else

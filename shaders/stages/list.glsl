@@ -1,15 +1,15 @@
 /*---
 title = "The list of objects"
-about = "A texture of a record for each object."
+about = "A texture of a record for each object; then a tree of spheres about them."
 ---*/
 uniform highp sampler2D u_objects;
 
 // The log2 of the texture's width.
 const int LIST_BITS = 10;
 
-// Texels of an object, as in object_list.py: a sphere around it; its shape, its kind of surface, its
-// mesh or radius, and 1 plus the share of light that it stops, negative where both sides are seen;
-// where it is.
+// Texels of an object, as in traced.py: a sphere around it; its shape, twice its kind of surface and
+// 1 more where that has two sides, its mesh or radius, and 1 plus the share of light that it stops,
+// negative where both sides stop it; where it is.
 const int AROUND = 0;
 const int WHAT = 1;
 const int PLACE = 2;
@@ -22,9 +22,12 @@ const float CONE = 4.0;
 const float ROUND = 5.0;
 const float MESH = 6.0;
 
-vec4 listed(int object, int texel) {
-    int at = object * RECORD + texel;
+vec4 listTexel(int at) {
     return texelFetch(u_objects, ivec2(at & ((1 << LIST_BITS) - 1), at >> LIST_BITS), 0);
+}
+
+vec4 listed(int object, int texel) {
+    return listTexel(object * RECORD + texel);
 }
 
 #if ANY_PLACED || ANY_MESH || TAKES_OWN

@@ -1,8 +1,8 @@
 /*---
 title = "Objects of a list in the way of a ray"
 about = """
-Objects by their number, from a texture: for scenes of many, or with models. A sphere around each \
-tells whether to look closer."""
+Objects by their number, from a texture: for scenes of many, or with models. A tree of spheres \
+around them tells where to look closer."""
 ---*/
 #include "stages/leaving.glsl"
 #include "stages/list.glsl"
@@ -29,6 +29,7 @@ struct Met {
 #endif
 };
 
+#if OBJECT_COUNT > 1
 // Whether a ray may meet a sphere before a distance.
 bool passesBy(Ray ray, vec4 around, float reach) {
     vec3 f = ray.origin - around.xyz;
@@ -36,6 +37,26 @@ bool passesBy(Ray ray, vec4 around, float reach) {
     vec3 nearest = f + along * ray.direction;
     return dot(nearest, nearest) > around.w * around.w || along < -around.w || along - around.w > reach;
 }
+
+// Where the nodes of the tree of spheres begin and end, and the bits of a node's number, as in
+// sphere_tree.py.
+const int TREE = OBJECT_COUNT * RECORD;
+const int TREE_END = TREE + 2 * OBJECT_COUNT - 1;
+const int NUMBER = (1 << 17) - 1;
+
+// The next object whose sphere a ray may meet before a distance, or NOTHING. Moves on in the tree.
+int nextListed(Ray ray, float reach, inout int at) {
+    int object = NOTHING;
+    while (object == NOTHING && at < TREE_END) {
+        vec4 node = listTexel(at);
+        bool passed = passesBy(ray, vec4(node.xyz, abs(node.w)), reach);
+        int number = floatBitsToInt(node.w) & NUMBER;
+        at += passed && node.w > 0.0 ? number : 1;
+        object = !passed && node.w < 0.0 ? number : NOTHING;
+    }
+    return object;
+}
+#endif
 
 #if ANY_MESH
 // Where a mesh begins in the texture of all.
@@ -46,11 +67,11 @@ int meshBase(int number) {
 
 // side as for the shapes: 1 for what is seen from the ray's origin, -1 from its other end. A ray inside
 // meets the object from within alone.
+Met distanceTo(int object, vec4 what, Ray ray, float side,
 #if TRANSMITS
-Met distanceTo(int object, vec4 what, Ray ray, float side, bool inside, float reach) {
-#else
-Met distanceTo(int object, vec4 what, Ray ray, float side, float reach) {
+               bool inside,
 #endif
+               float reach) {
     Met met;
     met.distance = -1.0;
     bool both = what.w < 0.0;

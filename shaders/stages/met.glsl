@@ -40,6 +40,15 @@ void met(inout Hit hit, Ray ray) {
 #endif
 #if TAKES_FRONT
     v_front = dot(ray.direction, hit.normal) < 0.0;
+#if LISTED
+    v_front = v_front || int(hit.what.y) % 2 == 0;
+#else
+#for OBJECTS
+#if !@{double}
+    v_front = v_front || hit.object == @{index};
+#endif
+#endfor
+#endif
 #endif
 #if TAKES_UV1
     v_uv1 = vec2(0.0);

@@ -46,14 +46,14 @@ vec4 between(ivec3 vertices, vec2 weights, int texel) {
     return meshAttribute(u_meshes, vertices, weights, texel);
 }
 
-void metMesh(inout Hit hit, mat3x4 place, int base, vec3 right, vec3 up) {
-    ivec3 vertices = meshVertices(u_meshes, base, hit.met.triangle);
+void metMesh(inout Hit hit, vec3 right, vec3 up) {
+    ivec3 vertices = hit.face.vertices;
     vec2 weights = hit.met.weights;
-    vec3 n = (place * between(vertices, weights, MESH_NORMAL).xyz).xyz;
+    vec3 n = (hit.place * between(vertices, weights, MESH_NORMAL).xyz).xyz;
     hit.shading = dot(n, n) > 0.0 ? normalize(n) : hit.normal;
 #if TAKES_TANGENT
     vec4 tangent = between(vertices, weights, MESH_TANGENT);
-    vec3 outward = inverse(transpose(mat3(place))) * tangent.xyz;
+    vec3 outward = inverse(transpose(mat3(hit.place))) * tangent.xyz;
     v_tangent = vec4(dot(outward, outward) > 0.0 ? normalize(outward) : outward, tangent.w);
 #endif
 #if TAKES_COLOR
@@ -69,9 +69,9 @@ void metMesh(inout Hit hit, mat3x4 place, int base, vec3 right, vec3 up) {
     v_uv1 = uvs.zw;
 #endif
 #if TAKES_STEPS
-    mat2x3 edges = meshEdges(u_meshes, base, hit.met.triangle);
-    vec3 inRight = (vec4(right, 0.0) * place);
-    vec3 inUp = (vec4(up, 0.0) * place);
+    mat2x3 edges = hit.face.edges;
+    vec3 inRight = vec4(right, 0.0) * hit.place;
+    vec3 inUp = vec4(up, 0.0) * hit.place;
     vec4 first = between(vertices, vec2(0.0), MESH_UVS);
     vec4 toRight = between(vertices, alongEdges(inRight, edges[0], edges[1]), MESH_UVS) - first;
     vec4 toUp = between(vertices, alongEdges(inUp, edges[0], edges[1]), MESH_UVS) - first;
@@ -87,15 +87,14 @@ void metMesh(inout Hit hit, mat3x4 place, int base, vec3 right, vec3 up) {
 
 // right, up: from the point that the ray met to those of its neighbours.
 void metOwn(inout Hit hit, vec3 right, vec3 up) {
-    vec4 what = listed(hit.object, WHAT);
 #if ANY_MESH
-    if (what.x == MESH) {
-        metMesh(hit, placeOf(hit.object), meshBase(int(what.z)), right, up);
+    if (hit.what.x == MESH) {
+        metMesh(hit, right, up);
         return;
     }
 #endif
 #if TAKES_OWN && ANY_TRIANGLE
-    if (what.x == TRIANGLE) {
+    if (hit.what.x == TRIANGLE) {
         vec3 e1 = listed(hit.object, PLACE + 1).xyz;
         vec3 e2 = listed(hit.object, PLACE + 2).xyz;
 #if TAKES_TANGENT
@@ -113,17 +112,16 @@ void metOwn(inout Hit hit, vec3 right, vec3 up) {
     }
 #endif
 #if TAKES_OWN
-    mat3x4 place = placeOf(hit.object);
-    vec3 own = vec4(hit.position, 1.0) * place;
+    vec3 own = vec4(hit.position, 1.0) * hit.place;
 #if TAKES_TANGENT
-    v_tangent = vec4(normalize(inverse(transpose(mat3(place))) * tangentOn(what.x, own)), 1.0);
+    v_tangent = vec4(normalize(inverse(transpose(mat3(hit.place))) * tangentOn(hit.what.x, own)), 1.0);
 #endif
 #if TAKES_UV0
-    v_uv0 = uvOn(what.x, own);
+    v_uv0 = uvOn(hit.what.x, own);
 #endif
 #if TAKES_UV0 && TAKES_STEPS
-    v_uv0_steps = vec4(uvOn(what.x, own + vec4(right, 0.0) * place) - v_uv0,
-                       uvOn(what.x, own + vec4(up, 0.0) * place) - v_uv0);
+    v_uv0_steps = vec4(uvOn(hit.what.x, own + vec4(right, 0.0) * hit.place) - v_uv0,
+                       uvOn(hit.what.x, own + vec4(up, 0.0) * hit.place) - v_uv0);
     // Around a seam, to the nearer side.
     v_uv0_steps -= round(v_uv0_steps);
 #endif

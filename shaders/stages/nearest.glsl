@@ -13,6 +13,14 @@ struct Hit {
     vec3 shading;
 #if LISTED
     Met met;
+    // Of the object, its texel WHAT and where it is; of its mesh, the triangle.
+    vec4 what;
+#if ANY_PLACED || ANY_MESH || TAKES_OWN
+    mat3x4 place;
+#endif
+#if ANY_MESH
+    MeshFace face;
+#endif
 #endif
 };
 
@@ -20,69 +28,85 @@ struct Hit {
 const float FARTHEST = 3e38;
 
 #if LISTED
-vec3 normalOf(int object, vec3 position, Met met) {
-    vec4 what = listed(object, WHAT);
+vec3 normalOf(Hit hit) {
 #if ANY_BALL
-    if (what.x == BALL) {
-        return normalize(position - listed(object, AROUND).xyz);
+    if (hit.what.x == BALL) {
+        return normalize(hit.position - listed(hit.object, AROUND).xyz);
     }
 #endif
 #if ANY_TRIANGLE
-    if (what.x == TRIANGLE) {
-        return normalize(cross(listed(object, PLACE + 1).xyz, listed(object, PLACE + 2).xyz));
+    if (hit.what.x == TRIANGLE) {
+        return normalize(cross(listed(hit.object, PLACE + 1).xyz, listed(hit.object, PLACE + 2).xyz));
     }
 #endif
 #if ANY_PLACED || ANY_MESH
-    mat3x4 place = placeOf(object);
-    vec3 own = vec4(position, 1.0) * place;
+    vec3 own = vec4(hit.position, 1.0) * hit.place;
     vec3 n = vec3(0.0, 1.0, 0.0);
 #if ANY_CUBE
-    n = what.x == CUBE ? cubeNormal(own) : n;
+    n = hit.what.x == CUBE ? cubeNormal(own) : n;
 #endif
 #if ANY_CONE
-    n = what.x == CONE ? coneNormal(own) : n;
+    n = hit.what.x == CONE ? coneNormal(own) : n;
 #endif
 #if ANY_ROUND
-    n = what.x == ROUND ? roundNormal(own) : n;
+    n = hit.what.x == ROUND ? roundNormal(own) : n;
 #endif
 #if ANY_MESH
-    if (what.x == MESH) {
-        mat2x3 edges = meshEdges(u_meshes, meshBase(int(what.z)), met.triangle);
-        n = cross(edges[0], edges[1]);
-    }
+    n = hit.what.x == MESH ? cross(hit.face.edges[0], hit.face.edges[1]) : n;
 #endif
-    return normalize((place * n).xyz);
+    return normalize((hit.place * n).xyz);
 #else
     return vec3(0.0);
 #endif
 }
 
-// from: the object that the ray leaves. Its own rays meet no shape again that is convex.
+// An object, if it is nearer than what was met. from: the object that the ray leaves. Its own rays
+// meet no shape again that is convex.
+void meet(int i, Ray ray, int from, inout Hit hit) {
+    vec4 what = listed(i, WHAT);
+    if (i != from || what.x == MESH) {
+#if TRANSMITS
+        Met met = distanceTo(i, what, ray, 1.0, within(i) == from, hit.distance);
+#else
+        Met met = distanceTo(i, what, ray, 1.0, hit.distance);
+#endif
+        // Of two at one distance the first in the list, whichever the tree has first.
+        bool first = met.distance == hit.distance && i < hit.object;
+        if (met.distance > 0.0 && (met.distance < hit.distance || first)) {
+            hit.object = i;
+            hit.distance = met.distance;
+            hit.met = met;
+        }
+    }
+}
+
 Hit nearest(Ray ray, int from) {
     Hit hit;
     hit.object = NOTHING;
     hit.distance = FARTHEST;
     hit.normal = vec3(0.0);
-    for (int i = 0; i < OBJECT_COUNT; ++i) {
-        if (!passesBy(ray, listed(i, AROUND), hit.distance)) {
-            vec4 what = listed(i, WHAT);
-            if (i != from || what.x == MESH) {
-#if TRANSMITS
-                Met met = distanceTo(i, what, ray, 1.0, within(i) == from, hit.distance);
+#if OBJECT_COUNT == 1
+    meet(0, ray, from, hit);
 #else
-                Met met = distanceTo(i, what, ray, 1.0, hit.distance);
-#endif
-                if (met.distance > 0.0 && met.distance < hit.distance) {
-                    hit.object = i;
-                    hit.distance = met.distance;
-                    hit.met = met;
-                }
-            }
+    for (int at = TREE; at < TREE_END;) {
+        int i = nextListed(ray, hit.distance, at);
+        if (i != NOTHING) {
+            meet(i, ray, from, hit);
         }
     }
+#endif
     hit.position = ray.origin + hit.distance * ray.direction;
     if (hit.object != NOTHING) {
-        hit.normal = normalOf(hit.object, hit.position, hit.met);
+        hit.what = listed(hit.object, WHAT);
+#if ANY_PLACED || ANY_MESH || TAKES_OWN
+        hit.place = placeOf(hit.object);
+#endif
+#if ANY_MESH
+        if (hit.what.x == MESH) {
+            hit.face = meshFace(u_meshes, meshBase(int(hit.what.z)), hit.met.triangle);
+        }
+#endif
+        hit.normal = normalOf(hit);
         hit.shading = hit.normal;
     }
     return hit;

@@ -19,9 +19,9 @@ vec3 readNormal(Texels t, vec3 toEye) {
 #if UNFLIPPED
     return n;
 #else
-#if DOUBLE_SIDED && TRACED
+#if ANY_DOUBLE && TRACED
     n = v_front ? n : -n;
-#elif DOUBLE_SIDED
+#elif DOUBLE_SIDED && !TRACED
     n = gl_FrontFacing ? n : -n;
 #endif
     return facingNormal(n, toEye);

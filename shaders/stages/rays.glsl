@@ -44,7 +44,7 @@ float distanceTo@{index}(Ray ray, float side) {
 #else
     vec3 origin = (u_object@{index}_inverse * vec4(ray.origin, 1.0)).xyz;
     vec3 direction = mat3(u_object@{index}_inverse) * ray.direction;
-#if @{plane} && @{double}
+#if @{plane} && @{open}
     return planeHit(origin, direction, direction.y < 0.0 ? 1.0 : -1.0);
 #elif @{plane}
     return planeHit(origin, direction, side);

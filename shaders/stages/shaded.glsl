@@ -20,7 +20,7 @@ uniform @{type} u_@{name};
 // Radiance towards the ray's origin, and opacity.
 vec4 shaded(Hit hit) {
 #if LISTED
-    int kind = int(listed(hit.object, WHAT).y);
+    int kind = int(hit.what.y) / 2;
 #for OBJECT_VALUES
 #if @{matrix}
     u_@{name} = mat3(listed(hit.object, @{texel}).xyz, listed(hit.object, @{texel} + 1).xyz,

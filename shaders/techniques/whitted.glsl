@@ -23,6 +23,11 @@ default = 0.01
 range   = [0.0, 1.0]
 step    = 0.01
 label   = "Least energy to follow"
+
+[parameters.constants]
+kind    = "bool"
+default = true
+label   = "Values compiled in (a change compiles anew)"
 ---*/
 #include "stages/shaded.glsl"
 
@@ -71,7 +76,7 @@ vec3 trace(Ray ray) {
 #else
                 float sentBack = 0.0;
 #endif
-#if TRANSMITS
+#if REFRACTS
                 float sent = b.energy * u_transmittance;
                 bool enters = dot(direction, hit.normal) < 0.0;
                 vec3 n = enters ? hit.shading : -hit.shading;
@@ -86,7 +91,7 @@ vec3 trace(Ray ray) {
                     count += 1;
                 }
 #endif
-#if REFLECTS || TRANSMITS
+#if REFLECTS || REFRACTS
                 if (sentBack > u_min_energy) {
                     Ray on = leaving(hit.position, hit.normal, mirrored(direction, hit.shading));
                     int left = dot(direction, hit.normal) < 0.0 ? hit.object : within(hit.object);

@@ -1,6 +1,7 @@
 // The page's parts and how they hear of each other: state to picture, picture to panel.
 import { Busy } from "./busy";
 import { tabOf } from "./controls";
+import { withUniforms } from "./core/constants";
 import { LightbenchError } from "./core/errors";
 import { type Mesh, meshesFrom } from "./core/mesh";
 import { plan } from "./core/plan";
@@ -63,10 +64,19 @@ export class App {
   /** Open the model among these files. */
   readonly open: Take = (files) => void this.opening.take(files);
   private readonly loading = loadManifest();
+  /** Whether what is shown has changed just now, and may be changing. */
+  private moving = false;
   private arrive!: () => void;
-  private readonly ready = new Promise<void>((done) => {
+  /** There is no first picture, for this reason. */
+  refuse!: (reason: unknown) => void;
+  private readonly ready = new Promise<void>((done, refused) => {
     this.arrive = done;
+    this.refuse = refused;
   });
+
+  constructor() {
+    this.ready.catch(() => {}); // the page itself says why; only who waits hears it from here
+  }
 
   /** Resolves once everything is loaded and the first picture is under way. */
   async start(): Promise<void> {
@@ -98,7 +108,7 @@ export class App {
     this.name = name;
     this.store.start({ scene: name, settings: this.link.settings(this.manifest, this.preset) });
     this.makeParts();
-    this.follow();
+    this.show();
     this.view.start();
   }
 
@@ -110,7 +120,7 @@ export class App {
       metered: (radiance) => this.status.meter(radiance),
       idle: () => this.idle(),
       busy: (what) => this.busy.say(what),
-      failed: (sentence) => this.notices.fail(sentence && this.explained(sentence)),
+      failed: (sentence) => this.failed(sentence && this.explained(sentence)),
     });
   }
 
@@ -154,9 +164,11 @@ export class App {
   private follow(): void {
     const { scene } = this.store.state;
     if (scene === this.name) {
+      this.moving = true;
       this.show();
       return;
     }
+    this.moving = false;
     this.busy.say("Loading the scene");
     this.viewpoint.stop();
     this.scenes.load(scene).then(
@@ -220,7 +232,9 @@ export class App {
   }
 
   private plan(size: Size): Plan {
-    return plan(this.manifest, this.preset, this.settings(), size);
+    const settings = this.settings();
+    const moved = this.moving ? withUniforms(this.manifest, settings) : settings;
+    return plan(this.manifest, this.preset, moved, size);
   }
 
   /** Of the scene that is shown: none while another is loading. */
@@ -272,13 +286,21 @@ export class App {
 
   /** Nothing has changed for a moment. */
   private idle(): void {
-    if (!this.status.settled) this.view.request();
     const { plan, renderer } = this.view;
     this.status.invalid(countInvalid(renderer!.readLinear(), plan!.signed));
+    // After the pixels were waited for: what the frame took has gone by.
+    if (this.moving || !this.status.settled) this.view.request();
+    this.moving = false;
     const model = this.scenes.model(this.name);
     if (!model || model.thumb || this.store.state.scene !== this.name) return;
     model.thumb = miniature(renderer!.readDisplay(), plan!.size);
     this.showThumb();
+  }
+
+  private failed(sentence: string | null): void {
+    this.notices.fail(sentence);
+    // Without a renderer the context is lost, and comes back.
+    if (sentence && this.view.renderer) this.refuse(new LightbenchError(sentence));
   }
 
   /** What the server no longer has of a model is said as what to do about it. */

@@ -19,6 +19,8 @@ export interface Handle {
   extent(): number;
   /** Metres to what is in the middle of the picture; null where nothing is. */
   depth(): number | null;
+  /** Whether there is nothing to look at, so that the camera stays where it is. */
+  fixed(): boolean;
   /** Another mode is in use. */
   changed(mode: ModeName): void;
 }
@@ -75,6 +77,7 @@ export class Camera {
 
   /** Move to another pose, as a short flight where motion is welcome. */
   fly(to: Pose): void {
+    if (this.handle.fixed()) return;
     const from = this.pose();
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const start = performance.now();
@@ -100,9 +103,10 @@ export class Camera {
     this.held.clear();
   }
 
-  /** Orbit or walk. There is no walking into a picture without perspective. */
+  /** Orbit or walk. There is no walking into a picture without perspective, or into nothing. */
   use(mode: ModeName): void {
-    if (mode === this.mode || (mode === "walk" && isOrthographic(this.pose()))) return;
+    if (mode === this.mode) return;
+    if (mode === "walk" && (this.handle.fixed() || isOrthographic(this.pose()))) return;
     this.stop();
     this.settle(0);
     this.mode = mode;
@@ -139,6 +143,7 @@ export class Camera {
   }
 
   private move(pose: Pose): void {
+    if (this.handle.fixed()) return;
     const shown = rounded(pose);
     const { eye, target, height } = pose;
     this.exact = { frame: { eye, target, height }, shown };

@@ -10,7 +10,7 @@ import {
 } from "./control";
 import { choices, folderOf } from "./core/library";
 import type { Folder, ShaderFile } from "./core/types";
-import { extent } from "./extent";
+import { extent, isSolid } from "./extent";
 import { defaultOf, fieldSchema } from "./fields";
 import { current, type Group, group, type Situation, type Tab } from "./groups";
 import { materialGroups } from "./material_controls";
@@ -20,13 +20,12 @@ import { qualityGroups, workOf } from "./pass_controls";
 
 /** The panel's content. */
 export function describe(now: Situation): Group[] {
-  const solid = Object.keys(now.scene.objects).length > 0;
   return [
     ...partGroups(now),
     ...lightGroups(now),
     ...[...now.plan.settings, ...idle(now)].map((setting) => choiceGroup(now, setting)),
     ...materialGroups(now),
-    ...(solid ? [cameraGroup(now)] : []),
+    ...(isSolid(now.scene) ? [cameraGroup(now)] : []),
     ...qualityGroups(now),
   ];
 }

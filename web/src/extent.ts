@@ -10,6 +10,11 @@ interface Box {
   high: readonly number[];
 }
 
+/** Whether a camera has anything to look at: a scene's parts lie flat on the picture. */
+export function isSolid({ objects }: Pick<Scene, "objects">): boolean {
+  return Object.keys(objects).length > 0;
+}
+
 /** Half the size of what there is to light, and some room around it, in metres. */
 export function extent(scene: Scene & { meshes?: Record<string, Box> }): number {
   const far = Object.values(scene.objects).flatMap(

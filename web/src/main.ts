@@ -22,4 +22,8 @@ function fatal(error: unknown): void {
   if (!(error instanceof LightbenchError)) throw error;
 }
 
-new App().start().catch(fatal);
+const app = new App();
+app.start().catch((error: unknown) => {
+  app.refuse(error);
+  fatal(error);
+});

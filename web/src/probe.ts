@@ -20,18 +20,23 @@ export interface Picture {
   renderer: string;
 }
 
+export interface Measured {
+  milliseconds: number[];
+  renderer: string;
+}
+
 export interface Probe {
-  /** Resolves with the first picture. */
+  /** Resolves with the first picture; rejects with what the page says in its place. */
   ready: Promise<void>;
-  /** A picture of a preset, drawn aside: the page's own stays as it is. */
+  /** A picture of a preset or a scene, drawn aside: the page's own stays as it is. */
   render(
-    scene: string,
+    scene: string | Scene,
     settings?: Settings,
     size?: [number, number],
     attachment?: string,
   ): Promise<Picture>;
   plan(
-    scene: string,
+    scene: string | Scene,
     settings?: Settings,
     size?: [number, number],
     attachment?: string,
@@ -41,11 +46,21 @@ export interface Probe {
    * one pixel that waits for its end.
    */
   measure(
-    scene: string,
+    scene: string | Scene,
     settings: Settings,
     size: [number, number],
     frames: number,
-  ): Promise<{ milliseconds: number[]; renderer: string }>;
+  ): Promise<Measured>;
+  /**
+   * The same of the passes that lead to the linear picture alone, planned beforehand and without what
+   * displays it.
+   */
+  measureLinear(
+    scene: string | Scene,
+    settings: Settings,
+    size: [number, number],
+    frames: number,
+  ): Promise<Measured>;
   /** The maps of a shader function over two of its inputs, computed by this browser. */
   atlas(file: string, name: string, x: string, y: string): Promise<Panel[]>;
   /** The page's address with the state as it is now. */
@@ -75,8 +90,10 @@ export interface Bench {
 
 export function makeProbe(bench: Bench): Probe {
   let renderer: Renderer | null = null;
+  const described = (scene: string | Scene) =>
+    typeof scene === "string" ? bench.scene(scene) : Promise.resolve(scene);
   const planned: Probe["plan"] = async (scene, settings = {}, size = [640, 480], attachment) =>
-    plan(await bench.manifest, await bench.scene(scene), settings, size, attachment);
+    plan(await bench.manifest, await described(scene), settings, size, attachment);
   const prepared = async (found: Plan): Promise<Renderer> => {
     if (renderer?.gl.isContextLost()) renderer = null;
     renderer ??= new Renderer(createContext(new OffscreenCanvas(1, 1)), bench.assets);
@@ -104,18 +121,39 @@ export function makeProbe(bench: Bench): Probe {
       return (await compute(unpack(await loadAtlasMap(file, name, x, y)))).panels;
     },
     async measure(scene, settings, size, frames) {
-      const [manifest, described] = await Promise.all([bench.manifest, bench.scene(scene)]);
-      const draw = () => plan(manifest, described, settings, size);
+      const [manifest, found] = await Promise.all([bench.manifest, described(scene)]);
+      const draw = () => plan(manifest, found, settings, size);
       const aside = await prepared(draw());
       const pixel = new Uint8Array(4);
-      const milliseconds: number[] = [];
-      for (let frame = 0; frame < WARM_UP + frames; frame++) {
-        const start = performance.now();
+      return measured(aside, frames, () => {
         aside.run(draw());
         aside.gl.readPixels(0, 0, 1, 1, aside.gl.RGBA, aside.gl.UNSIGNED_BYTE, pixel);
-        milliseconds.push(performance.now() - start);
-      }
-      return { milliseconds: milliseconds.slice(WARM_UP), renderer: aside.name };
+      });
+    },
+    async measureLinear(scene, settings, size, frames) {
+      const found = linearOnly(await planned(scene, settings, size));
+      const aside = await prepared(found);
+      return measured(aside, frames, () => {
+        aside.run(found);
+        aside.readLinear([0, 0]);
+      });
     },
   };
+}
+
+/** Milliseconds of each of some frames after a warm-up; `draw` waits for its end. */
+function measured({ name }: Renderer, frames: number, draw: () => void): Measured {
+  const milliseconds: number[] = [];
+  for (let frame = 0; frame < WARM_UP + frames; frame++) {
+    const start = performance.now();
+    draw();
+    milliseconds.push(performance.now() - start);
+  }
+  return { milliseconds: milliseconds.slice(WARM_UP), renderer: name };
+}
+
+/** The plan without the passes after its linear picture. */
+export function linearOnly(whole: Plan): Plan {
+  const last = whole.passes.findIndex(({ target }) => target === whole.outputs.linear);
+  return { ...whole, passes: whole.passes.slice(0, last + 1) };
 }

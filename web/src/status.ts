@@ -4,19 +4,14 @@ import type { Plan } from "./core/types";
 import { make } from "./dom";
 import type { Invalid } from "./invalid";
 import { spell } from "./number";
+import { Times } from "./times";
 
-// The median is that of so many last frames of one plan's programs and size.
-const FRAMES = 31;
-const ENOUGH = 3;
-const DEAR_MILLISECONDS = 600;
 // Screen readers hear the numbers at most this often.
 const SPEAK_MILLISECONDS = 4000;
 
 export class Status {
   private readonly items = new Map<string, HTMLElement>();
-  private times: number[] = [];
-  private kind = "";
-  private warm = false;
+  private readonly times = new Times();
   private spoken: ReturnType<typeof setTimeout> | undefined;
   private readonly voice = make("p", { class: "spoken", "aria-live": "polite" });
 
@@ -41,11 +36,7 @@ export class Status {
   drawn(plan: Plan, triangles: number): void {
     const [width, height] = plan.size as [number, number];
     const kind = `${width} ${height} ${plan.programs.map((program) => program.fragment).join()}`;
-    if (kind !== this.kind) {
-      this.times = [];
-      this.warm = false;
-    }
-    this.kind = kind;
+    this.times.drawn(kind, performance.now());
     this.show("size", `${width} × ${height}`);
     this.show("triangles", `${spell(triangles, 7)} triangles`);
     const passes = plan.passes.map((pass) => pass.name);
@@ -57,21 +48,17 @@ export class Status {
   }
 
   timed(timing: Timing): void {
-    if (!this.warm && this.times.length === 1) {
-      this.times = []; // the first frame also made buffers and machine code
-      this.warm = true;
-    }
-    this.times = [...this.times, timing.milliseconds].slice(-FRAMES);
-    const count = this.times.length;
-    const title = `fastest ${spell(Math.min(...this.times), 3)} ms, slowest ${spell(Math.max(...this.times), 3)} ms`;
+    this.times.add(timing.milliseconds);
+    const { count, median, fastest, slowest } = this.times;
+    const title = `fastest ${spell(fastest, 3)} ms, slowest ${spell(slowest, 3)} ms`;
     const source = count > 1 ? `${timing.source}, median of ${count}` : timing.source;
-    this.show("time", `${spell(this.median, 3)} ms`, title);
+    this.show("time", `${spell(median, 3)} ms`, title);
     this.show("source", source);
   }
 
-  /** Whether there are frames enough for a number that means something, or each is too dear. */
+  /** Whether the time needs no frame more. */
   get settled(): boolean {
-    return this.times.length >= ENOUGH || (this.times[0] ?? 0) > DEAR_MILLISECONDS;
+    return this.times.settled(performance.now());
   }
 
   renderer(name: string): void {
@@ -102,11 +89,6 @@ export class Status {
     const luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
     const channels = [r, g, b].map((c) => spell(c, 3)).join("  ");
     this.show("meter", `${spell(luminance, 3)} cd/m²`, `linear r g b: ${channels}`);
-  }
-
-  private get median(): number {
-    const sorted = [...this.times].sort((a, b) => a - b);
-    return sorted[Math.floor(sorted.length / 2)] ?? 0;
   }
 
   private show(name: string, text: string, title = ""): void {

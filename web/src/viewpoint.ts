@@ -2,7 +2,7 @@
 import { Camera } from "./camera";
 import type { Manifest, Scene } from "./core/types";
 import { byId } from "./dom";
-import { extent } from "./extent";
+import { extent, isSolid } from "./extent";
 import { AUTO, type Value, type Values } from "./fields";
 import { recall, remember } from "./memory";
 import type { ModeName } from "./modes";
@@ -44,6 +44,8 @@ const HINTS: Record<ModeName, { id: string; memory: string }> = {
 export class Viewpoint {
   private readonly camera: Camera;
   private readonly pad: Pad;
+  /** Whether what is shown is for a camera. */
+  private solid = true;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -58,6 +60,7 @@ export class Viewpoint {
       hover: (at) => page.hover(at),
       extent: () => extent(page.preset()),
       depth: () => this.hit(0, 0)?.distance ?? null,
+      fixed: () => !isSolid(page.scene()),
       changed: () => this.showMode(),
     });
     this.pad = new Pad(byId("frame"), (name, push, now) => this.camera.hold(name, push, now));
@@ -73,7 +76,9 @@ export class Viewpoint {
     const walk = byId<HTMLButtonElement>("walk");
     walk.disabled = flat;
     walk.title = flat ? "Walking needs a camera with perspective" : "Walk (F)";
-    if (flat) this.camera.use("orbit");
+    const solid = isSolid(this.page.scene());
+    if (flat || !solid) this.camera.use("orbit");
+    if (solid !== this.solid) this.showMode();
   }
 
   stop(): void {
@@ -110,12 +115,18 @@ export class Viewpoint {
 
   private showMode(): void {
     const { mode } = this.camera;
+    this.solid = isSolid(this.page.scene());
+    byId("modes").hidden = !this.solid;
     for (const name of ["orbit", "walk"] as const) {
       byId(name).setAttribute("aria-pressed", `${name === mode}`);
       const { id, memory } = HINTS[name];
-      byId(id).hidden = name !== mode || recall(memory, false);
+      byId(id).hidden = !this.solid || name !== mode || recall(memory, false);
     }
-    this.canvas.setAttribute("aria-label", `The picture. ${LABELS[mode]}`);
+    this.canvas.setAttribute(
+      "aria-label",
+      this.solid ? `The picture. ${LABELS[mode]}` : "The picture",
+    );
+    this.canvas.classList.toggle("fixed", !this.solid);
     this.canvas.classList.toggle("walk", mode === "walk");
     this.pad.show(mode === "walk");
   }

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Scene } from "../src/core/types";
-import { extent } from "../src/extent";
+import { extent, isSolid } from "../src/extent";
 import { Held } from "../src/held";
 import { ORBIT, type Push, together, walking } from "../src/modes";
 import { distance, type Pose, rounded } from "../src/orbit";
@@ -228,6 +228,11 @@ test("a scene is as large as its farthest thing or light", () => {
   expect(only({ ...thing, scale: [500, 1, 500] })).toBe(10);
   const meshes = { hall: { low: [-20, 0, -1], high: [3, 2, 1] } };
   expect(only({ ...thing, mesh: "hall" }, { meshes })).toBe(50);
+});
+
+test("flat parts are nothing that a camera looks at", () => {
+  expect(isSolid(scene)).toBe(true);
+  expect(isSolid({ objects: {} })).toBe(false);
 });
 
 test("a scene's views are known by name", () => {

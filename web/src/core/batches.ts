@@ -3,6 +3,7 @@
  * batches.py.
  */
 
+import { CONSTANTS, withConstants } from "./constants";
 import { ShaderError } from "./errors";
 import type { Library } from "./library";
 import { partValues } from "./parts";
@@ -94,11 +95,16 @@ export class Batches {
     ];
     if (meta.draw === "screen") {
       const stages = this.stages(name, meta, NO_PATTERN, null);
-      const program = this.program(stages);
       const read = { textures: {}, arrays: this.arraysOf(stages), tables: this.tablesOf(stages) };
       const draws = [{ mesh: null, uniforms: {}, ...read }];
       const state = { tile: null, cull: true, blend: null };
-      return [{ program, ...state, ...filled(name, stages, shared), draws }];
+      const { uniforms } = filled(name, stages, shared);
+      if (!stages.asked || !this.resolved.values[CONSTANTS]) {
+        return [{ program: this.program(stages), ...state, uniforms, draws }];
+      }
+      const fragment = withConstants(stages.program.fragment, uniforms);
+      const program = this.program({ ...stages, program: { ...stages.program, fragment } });
+      return [{ program, ...state, uniforms: {}, draws }];
     }
     const things = frontToBack(this.scene, viewpoint.origin);
     return this.objects(name, meta, things, viewpoint, shared, null);
@@ -243,7 +249,9 @@ export class Batches {
   /** Every pattern that the pass draws. */
   private patterns(meta: Pass): readonly Pattern[] {
     if (meta.draw === "screen") return [NO_PATTERN];
-    return this.frame.kinds.filter((p) => meta.blend !== "none" || !p.flags.includes("BLEND"));
+    const every = [...this.surfaces.values()].map(({ pattern }) => [pattern.key, pattern] as const);
+    const found = [...new Map(every).values()];
+    return found.filter((p) => meta.blend !== "none" || !p.flags.includes("BLEND"));
   }
 
   private stages(name: string, meta: Pass, pattern: Pattern, own: number | null): Stages {

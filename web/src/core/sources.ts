@@ -59,7 +59,7 @@ export interface Frame {
   readonly defines: Readonly<Record<string, number>>;
   readonly lights: readonly Record_[];
   readonly objects: readonly Record_[];
-  /** The kinds of surface. */
+  /** The kinds of surface that rays may meet. */
   readonly kinds: readonly Pattern[];
   /** Names of the textures that these parts read, array by array. */
   readonly images: (parts: readonly Source[]) => readonly (readonly string[])[];
@@ -110,7 +110,8 @@ function defineValues(library: Library, resolved: Resolved): Record<string, numb
   }
   found.orthographic = Number(resolved.scene.camera.projection === "orthographic");
   found.signed = Number(library.files[`views/${resolved.choices.view}.glsl`]!.meta.signed);
-  return { ...found, ...sceneDefines(resolved.scene) };
+  const bounces = Number(resolved.values.max_bounces ?? 0);
+  return { ...found, ...sceneDefines(resolved.scene, bounces) };
 }
 
 /** The sources of a pass for surfaces of a pattern; `own` is the light that it is run for. */

@@ -84,6 +84,13 @@ export function surface(library: Library, scene: Scene, thing: SceneObject): Sur
   return { pattern: { key: JSON.stringify(pattern), ...pattern }, texels: bound };
 }
 
+/** The pattern of surfaces that are alike but for whether both their sides are seen. */
+export function unsided({ key: _, ...pattern }: Pattern): Pattern {
+  const flags = pattern.flags.filter((flag) => flag !== "DOUBLE_SIDED");
+  const made = { ...pattern, flags };
+  return { key: JSON.stringify(made), ...made };
+}
+
 function ownChoices(library: Library, material: Material): Record<string, string> {
   const names = [...ofMaterials(library).keys()].sort();
   const own = names.filter((name) => Object.hasOwn(material, name));

@@ -7,7 +7,8 @@ import type { Lists, Record_, Source } from "./assemble";
 import { boundingSphere } from "./bounds";
 import * as matrix from "./matrix";
 import { cornersOf, inverseMatrix } from "./placement";
-import type { Pattern, Surface } from "./surface";
+import { ROOM, sphereTree } from "./sphere_tree";
+import { type Pattern, type Surface, unsided } from "./surface";
 import type { Material, Scene, SceneObject } from "./types";
 import { DRAW_NAMES, float32, materialValues, textureTransform, type Values } from "./values";
 
@@ -18,16 +19,15 @@ type Numbers = Readonly<Record<string, number>>;
 export const SURFACE = "stages/surface.glsl";
 export const TRACING = "stages/shaded.glsl";
 const DEFAULT_IOR = 1.5;
-/** Texels of an object before its own values; room around what is in it. */
+/** Texels of an object before its own values. */
 const FIRST_VALUE = 5;
-const ROOM = 1 + 1e-5;
 /** Layers that WebGL2 promises for an array. */
 const MOST_LAYERS = 256;
 /** What functions and constants of shapes are called. A ball is a sphere of one scale. */
 const SHAPES = ["ball", "triangle", "plane", "cube", "cone", "round", "mesh"];
 /**
- * Objects from which on rays ask a list. By name is faster (bench/rays.py), but takes up to 14 of the
- * 224 uniforms a shader that WebGL2 promises.
+ * Objects from which on rays ask a list. Fewer are faster by name (of balls under a lamp up to 16 or
+ * 20), but each takes up to 14 of the 224 uniforms that WebGL2 promises to a shader.
  */
 const LONG = 16;
 /** What a ray may find where it meets an object. */
@@ -36,7 +36,7 @@ const TEXTURE = /^u_texture\d+(?:_transform)?$/;
 
 /** The kinds of surface that there are. */
 export function patternsOf(scene: Scene, surfaces: Surfaces): readonly Pattern[] {
-  const every = Object.values(scene.objects).map((thing) => surfaces.get(thing)!.pattern);
+  const every = Object.values(scene.objects).map((thing) => unsided(surfaces.get(thing)!.pattern));
   return [...new Map(every.map((pattern) => [pattern.key, pattern])).values()];
 }
 
@@ -50,11 +50,14 @@ function shapeOf({ shape, scale }: SceneObject): string {
   return scale[0] === scale[1] && scale[1] === scale[2] ? "ball" : "round";
 }
 
-/** The number of each object's kind of surface. */
+/**
+ * The number of each object's kind of surface. Whether both sides are seen is the object's affair: it
+ * makes no kind of its own.
+ */
 function kindsOf(scene: Scene, surfaces: Surfaces): readonly number[] {
   const keys = patternsOf(scene, surfaces).map(({ key }) => key);
   const things = Object.values(scene.objects);
-  return things.map((thing) => keys.indexOf(surfaces.get(thing)!.pattern.key));
+  return things.map((thing) => keys.indexOf(unsided(surfaces.get(thing)!.pattern).key));
 }
 
 /** The records of OBJECTS: how each is met, and the number of its kind of surface. */
@@ -73,10 +76,16 @@ export function objectRecords(scene: Scene, surfaces: Surfaces): readonly Record
       placed: truth(shape !== "ball" && shape !== "triangle"),
       plane: truth(shape === "plane"),
       double: truth(material.double_sided),
+      open: truth(hasTwoSides(material)),
       solid: truth(material.alpha_mode !== "blend"),
       transmits: truth(material.transmittance > 0),
     };
   });
+}
+
+/** Whether rays meet its back, too: that of glass they do on their way out. */
+function hasTwoSides({ double_sided, transmittance }: Material): boolean {
+  return double_sided || transmittance > 0;
 }
 
 /** Whether rays find objects in a texture, by number, rather than by name. */
@@ -84,21 +93,24 @@ function isListed(things: readonly SceneObject[]): boolean {
   return things.length >= LONG || things.some(({ mesh }) => mesh !== null);
 }
 
-/** Which kinds of object there are; whether rays are sent on, and how. */
-export function sceneDefines(scene: Scene): Numbers {
+/** Which kinds of object there are; whether rays are sent on, up to `bounces` times, and how. */
+export function sceneDefines(scene: Scene, bounces: number): Numbers {
   const things = Object.values(scene.objects);
   const used = things.map((thing) => materialOf(scene, thing));
   const shapes = new Set(things.map(shapeOf));
   const blended = used.some(({ alpha_mode }) => alpha_mode !== "opaque");
   const transmits = used.some(({ transmittance }) => transmittance > 0);
+  const refracts = transmits && bounces > 0;
   return {
     ...Object.fromEntries(SHAPES.map((shape) => [`any_${shape}`, Number(shapes.has(shape))])),
     any_placed: Number(["plane", "cube", "cone", "round"].some((shape) => shapes.has(shape))),
     listed: Number(isListed(things)),
-    reflects: Number(used.some(({ reflectance }) => reflectance > 0)),
+    any_double: Number(used.some(({ double_sided }) => double_sided)),
+    reflects: Number(bounces > 0 && used.some(({ reflectance }) => reflectance > 0)),
     transmits: Number(transmits),
+    refracts: Number(refracts),
     blended: Number(blended),
-    branches: Number(transmits || blended),
+    branches: Number(refracts || blended),
   };
 }
 
@@ -125,7 +137,7 @@ export function ownValues(defines: Numbers, parts: readonly Source[]): readonly 
   const every = parts.flatMap(({ uniforms }) => Object.entries(uniforms));
   const found = new Map(every.filter(([name]) => DRAW_NAMES.includes(name) || TEXTURE.test(name)));
   if (defines.reflects) found.set("u_reflectance", "float");
-  if (defines.transmits) found.set("u_transmittance", "float").set("u_refraction", "float");
+  if (defines.refracts) found.set("u_transmittance", "float").set("u_refraction", "float");
   let texel = FIRST_VALUE;
   return [...found.keys()].sort().map((name) => {
     const type = found.get(name)!;
@@ -144,7 +156,10 @@ export function texelsOf(values: readonly Record_[]): number {
   return values.reduce((sum, { matrix: wide }) => sum + (wide === "1" ? 3 : 1), FIRST_VALUE);
 }
 
-/** The texels of every object (shaders/stages/listed.glsl), as `given` in `objectValues`. */
+/**
+ * The texels of every object (shaders/stages/list.glsl), as `given` in `objectValues`, and of the
+ * tree about them. Throws SceneError.
+ */
 export function objectList(
   scene: Scene,
   surfaces: Surfaces,
@@ -160,8 +175,10 @@ export function objectList(
     const mesh = thing.mesh === null ? null : scene.meshes[thing.mesh]!.mesh;
     const size = mesh === null ? thing.scale[0] : meshes.indexOf(mesh);
     texels.push(...matrix.subtract(center, eye), radius * ROOM);
-    texels.push(SHAPES.indexOf(shapeOf(thing)), kinds[index]!, size);
-    texels.push(stopsOf(materialOf(scene, thing)), ...rowsOf(thing, eye));
+    const material = materialOf(scene, thing);
+    const kind = 2 * kinds[index]! + Number(material.double_sided);
+    texels.push(SHAPES.indexOf(shapeOf(thing)), kind, size);
+    texels.push(stopsOf(material), ...rowsOf(thing, eye));
     for (const { name, matrix: wide } of values) {
       const value = given[`u_object${index}_${name}`] ?? [];
       for (let at = 0; at < (wide === "1" ? 9 : 3); at += 3) {
@@ -169,13 +186,14 @@ export function objectList(
       }
     }
   }
-  return float32(texels);
+  const made = float32(texels);
+  return made.concat(sphereTree(chunks(made, 4 * texelsOf(values)).map((own) => own.slice(0, 4))));
 }
 
 /** 1 and the share of light that a material stops, negative where both its sides are seen. */
-function stopsOf({ alpha_mode, transmittance, double_sided }: Material): number {
-  const stopped = alpha_mode === "blend" ? 0 : 1 - transmittance;
-  return double_sided || transmittance > 0 ? -1 - stopped : 1 + stopped;
+function stopsOf(material: Material): number {
+  const stopped = material.alpha_mode === "blend" ? 0 : 1 - material.transmittance;
+  return hasTwoSides(material) ? -1 - stopped : 1 + stopped;
 }
 
 /** Three texels: where an object is. */
