@@ -117,3 +117,14 @@ def test_an_image_in_a_mirror() -> None:
     way = plane((origin, direction), (0, -1, 0), (0, 1, 0))
     met = origin + way[..., None] * direction
     assert_filtered(scene, (met[..., [0, 2]] * (1, -1) / 20 + 0.5) * (2, 3), 16, 0.04)
+
+
+def test_an_image_of_whole_texels_has_no_print() -> None:
+    """The texel at the pixel's middle, however the image lies, as rasterisation has it."""
+    images = {"t": texture(CODES, filter="nearest")}
+    scene = card(mapped("base_color", scale=[5, 0.4]), images)
+    given: Data = {"view": "base_color", "anisotropy": 16}
+    traced = shown(scene, SIDE, technique="whitted", **given)
+    drawn = shown(scene, SIDE, **given)
+    assert (np.abs(traced - drawn).max(axis=-1) > 1e-6).mean() < 0.01
+    assert len(np.unique(drawn.reshape(-1, 3), axis=0)) > 4

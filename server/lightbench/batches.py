@@ -356,7 +356,10 @@ class Batches:
         choices = tuple({**self.resolved.choices, **dict(pattern.choices)}.items())
         given = {**UNTRACED, "record": texels_of(self.own), **values}
         defines = (*self.defines, *((n, float(value)) for n, value in given.items()))
-        arrays: Records = tuple((("index", str(i)),) for i in range(len(self.images)))
+        nearest = [self.scene.textures[names[0]].filter == "nearest" for names in self.images]
+        arrays: Records = tuple(
+            (("index", str(i)), ("nearest", str(int(holds)))) for i, holds in enumerate(nearest)
+        )
         every = {
             **UNTRACED_LISTS, **self.no_values, "OBJECTS": self.things, "IMAGE_ARRAYS": arrays,
             "PARTS": part_records(self.scene), **lists,

@@ -12,6 +12,7 @@ uniform highp sampler2DArray u_images@{index};
 #endfor
 
 #for IMAGE_ARRAYS
+#if !@{nearest}
 vec4 probes@{index}(vec3 at, vec4 steps) {
     vec2 size = vec2(textureSize(u_images@{index}, 0).xy);
     float right = length(steps.xy * size);
@@ -26,6 +27,7 @@ vec4 probes@{index}(vec3 at, vec4 steps) {
     }
     return count > 0.0 ? sum / count : textureLod(u_images@{index}, at, 0.0);
 }
+#endif
 #endfor
 
 // steps: how far uv goes to the next pixel, to the right and up.
@@ -34,7 +36,11 @@ vec4 imageAt(float image, vec2 uv, vec4 steps) {
     vec3 at = vec3(uv, image - 256.0 * array);
 #for IMAGE_ARRAYS
     if (array == @{index}.0) {
+#if @{nearest}
+        return textureLod(u_images@{index}, at, 0.0);
+#else
         return probes@{index}(at, steps);
+#endif
     }
 #endfor
     return vec4(1.0);

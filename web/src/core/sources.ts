@@ -63,6 +63,8 @@ export interface Frame {
   readonly kinds: readonly Pattern[];
   /** Names of the textures that these parts read, array by array. */
   readonly images: (parts: readonly Source[]) => readonly (readonly string[])[];
+  /** The records of IMAGE_ARRAYS. */
+  readonly arrays: (parts: readonly Source[]) => readonly Record_[];
   readonly parts: readonly Record_[];
 }
 
@@ -83,7 +85,12 @@ export function frameOf(
   const patterns = kinds.map((pattern) => pattern.key);
   const key = JSON.stringify([choices, defines, lights, objects, parts, patterns]);
   const images = (read: readonly Source[]) => imageArrays(scene, surfaces, read);
-  return { key, choices, defines, lights, objects, parts, kinds, images };
+  const arrays = (read: readonly Source[]) =>
+    images(read).map(([first], index) => {
+      const nearest = Number(scene.textures[first!]!.filter === "nearest");
+      return { index: `${index}`, nearest: `${nearest}` };
+    });
+  return { key, choices, defines, lights, objects, parts, kinds, images, arrays };
 }
 
 /** A record of LIGHTS: which light, of which kind; the kinds are 0 or 1 for `#if`. */
@@ -128,8 +135,9 @@ export function stagesOf(
   const found = kept(library, key, () => makeStages(bench, Number(meta.draw === "objects")));
   if (!found.asked) return found;
   const { asked } = found;
-  const arrays = frame.images(asked.parts).length;
-  return kept(library, `${arrays} ${key}`, () => tracingStages(bench, asked, arrays));
+  const arrays = frame.arrays(asked.parts);
+  const made = () => tracingStages(bench, asked, arrays);
+  return kept(library, `${JSON.stringify(arrays)} ${key}`, made);
 }
 
 function kept(library: Library, key: string, make: () => Stages): Stages {
@@ -187,25 +195,25 @@ function makeStages(bench: Bench, draws_objects: number): Stages {
 
 /** What the surfaces read, which says what there must be to be read. */
 function askedOf(bench: Bench): Asked {
-  const parts = partsOf(bench, 0, texelsOf([]));
+  const parts = partsOf(bench, [], texelsOf([]));
   return { parts, values: ownValues(bench.frame.defines, parts) };
 }
 
-function partsOf(bench: Bench, arrays: number, record: number): readonly Source[] {
+function partsOf(bench: Bench, arrays: readonly Record_[], record: number): readonly Source[] {
   return bench.frame.kinds.map((pattern) =>
     assembled(
       { ...bench, entry: SURFACE, pattern, own: null },
       {
         stage: "FRAGMENT",
         values: { draws_objects: 1, traced: 1, record },
-        lists: { IMAGE_ARRAYS: numbered(arrays) },
+        lists: { IMAGE_ARRAYS: arrays },
       },
     ),
   );
 }
 
 /** The stages of a pass whose rays may meet every kind of surface. */
-function tracingStages(bench: Bench, asked: Asked, arrays: number): Stages {
+function tracingStages(bench: Bench, asked: Asked, arrays: readonly Record_[]): Stages {
   const { kinds, defines } = bench.frame;
   const record = texelsOf(asked.values);
   const parts = partsOf(bench, arrays, record);
@@ -215,7 +223,7 @@ function tracingStages(bench: Bench, asked: Asked, arrays: number): Stages {
     stage: "FRAGMENT",
     values: { traced: 1, record, ...taken(parts) },
     lists: {
-      ...{ IMAGE_ARRAYS: numbered(arrays), OBJECT_VALUES: asked.values },
+      ...{ IMAGE_ARRAYS: arrays, OBJECT_VALUES: asked.values },
       ...{ SURFACES: numbered(kinds.length), ...Object.fromEntries(byKind) },
     },
   });
