@@ -85,9 +85,10 @@ export function surface(library: Library, scene: Scene, thing: SceneObject): Sur
 }
 
 /** The pattern of surfaces that are alike but for whether both their sides are seen. */
-export function unsided({ key: _, ...pattern }: Pattern): Pattern {
-  const flags = pattern.flags.filter((flag) => flag !== "DOUBLE_SIDED");
-  const made = { ...pattern, flags };
+export function unsided(pattern: Pattern): Pattern {
+  if (!pattern.flags.includes("DOUBLE_SIDED")) return pattern; // asked of each object in every frame
+  const { key: _, ...rest } = pattern;
+  const made = { ...rest, flags: rest.flags.filter((flag) => flag !== "DOUBLE_SIDED") };
   return { key: JSON.stringify(made), ...made };
 }
 
